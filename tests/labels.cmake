@@ -33,7 +33,7 @@ set(hairpaint_label_rows
     "view\\.(gl_presenter|head_view|head_view_still|head_view_without_gl)" "window gpu"
     "view\\..*" "window"
 
-    "app\\.(commands|interruption|layering|readmes|settings_store|starter|translations)" "logic"
+    "app\\.(commands|declarations|interruption|layering|readmes|settings_store|starter|translations)" "logic"
     "app\\.(lie|skin_contact)" "hair"
     "app\\.(drawn_pictures|kept_pictures|style_pictures)" "gpu"
     "app\\.monkey" "window memory"

@@ -251,14 +251,6 @@
     explica cada opción</translation>
     </message>
     <message>
-        <source>front, back, left, right, top, bottom or three-quarter</source>
-        <translation>front, back, left, right, top, bottom o three-quarter</translation>
-    </message>
-    <message>
-        <source>clay, porcelain, fair, beige, olive, brown or deep, instead of the project&apos;s</source>
-        <translation>clay, porcelain, fair, beige, olive, brown o deep, en vez de la del proyecto</translation>
-    </message>
-    <message>
         <source>There is no skin &apos;%1&apos;</source>
         <translation>No hay ninguna piel «%1»</translation>
     </message>
@@ -323,16 +315,8 @@
         <translation>-o admite un nombre que termine en .png o .exr</translation>
     </message>
     <message>
-        <source>studio, daylight, sunset, club or backlit, instead of the project&apos;s</source>
-        <translation>studio, daylight, sunset, club o backlit, en lugar de la del proyecto</translation>
-    </message>
-    <message>
         <source>There is no light &apos;%1&apos;</source>
         <translation>No hay ninguna luz «%1»</translation>
-    </message>
-    <message>
-        <source>whose unit and axes: blender, unreal, godot, unity or maya; any, in metres with y up, unless given</source>
-        <translation>con la unidad y los ejes de quién: blender, unreal, godot, unity o maya; any, en metros con y hacia arriba, si no se indica</translation>
     </message>
     <message>
         <source>only this hair group; may be given again for more</source>
@@ -345,10 +329,6 @@
     <message>
         <source>writes every map as an image into that folder</source>
         <translation>escribe cada mapa como imagen en esa carpeta</translation>
-    </message>
-    <message>
-        <source>of those images: png, tif, exr or tga; png unless given</source>
-        <translation>de esas imágenes: png, tif, exr o tga; png si no se indica</translation>
     </message>
     <message>
         <source>8 or 16 a channel of png and tif; 16 unless given</source>
@@ -377,10 +357,6 @@
     <message>
         <source>--target takes %1, not &apos;%2&apos;</source>
         <translation>--target toma %1, no «%2»</translation>
-    </message>
-    <message>
-        <source>--image takes png, tif, exr or tga, not &apos;%1&apos;</source>
-        <translation>--image toma png, tif, exr o tga, no «%1»</translation>
     </message>
     <message>
         <source>--depth takes 8 or 16, not &apos;%1&apos;</source>
@@ -447,48 +423,12 @@
         <translation>como .glb: tiras a lo largo de los mechones, con texturas hechas del pelo, en vez de una cinta por pelo</translation>
     </message>
     <message>
-        <source>at most so many of all cards, 1000 to 60000; 15000 unless given</source>
-        <translation>como mucho tantos entre todas las tarjetas, de 1000 a 60000; 15000 si no se indica</translation>
-    </message>
-    <message>
-        <source>a side of the cards&apos; textures: 1024, 2048 or 4096; 2048 unless given</source>
-        <translation>un lado de las texturas de las tarjetas: 1024, 2048 o 4096; 2048 si no se indica</translation>
-    </message>
-    <message>
-        <source>Cards are written as glTF; with --cards -o takes a name that ends in .glb</source>
-        <translation>Las tarjetas se escriben como glTF; con --cards, -o toma un nombre que acaba en .glb</translation>
-    </message>
-    <message>
-        <source>--cards and --frames exclude each other</source>
-        <translation>--cards y --frames se excluyen</translation>
-    </message>
-    <message>
-        <source>--triangles takes a number from %1 to %2, not &apos;%3&apos;</source>
-        <translation>--triangles toma un número de %1 a %2, no «%3»</translation>
-    </message>
-    <message>
-        <source>--atlas takes %1, not &apos;%2&apos;</source>
-        <translation>--atlas toma %1, no «%2»</translation>
-    </message>
-    <message>
         <source>joints along the cards&apos; locks, with spring bones (VRMC_springBone) for avatar programs</source>
         <translation>articulaciones a lo largo de los mechones, con huesos de muelle (VRMC_springBone) para programas de avatares</translation>
     </message>
     <message>
-        <source>levels of detail, 1 to 3, each of half the triangles of the one before, with the same textures (MSFT_lod); 1 unless given</source>
-        <translation>niveles de detalle, de 1 a 3, cada uno con la mitad de los triángulos del anterior y las mismas texturas (MSFT_lod); 1 si no se indica</translation>
-    </message>
-    <message>
         <source>the head&apos;s mesh beside the cards</source>
         <translation>la malla de la cabeza junto a las tarjetas</translation>
-    </message>
-    <message>
-        <source>--%1 is for cards; give --cards too</source>
-        <translation>--%1 es para tarjetas; indica también --cards</translation>
-    </message>
-    <message>
-        <source>--lods takes a number from 1 to %1, not &apos;%2&apos;</source>
-        <translation>--lods toma un número de 1 a %1, no &apos;%2&apos;</translation>
     </message>
     <message>
         <source>The arguments hold bytes that are not UTF-8, so no file can be named by them; rename the file first.</source>
@@ -521,18 +461,6 @@
     <message>
         <source>of an avatar, as its file tells; &quot;Unknown&quot; unless given</source>
         <translation>de un avatar, como lo dice su archivo; «Unknown» si no se indica</translation>
-    </message>
-    <message>
-        <source>--author is for avatars; with it -o takes a name that ends in .vrm</source>
-        <translation>--author es para avatares; con esa opción, -o lleva un nombre que termina en .vrm</translation>
-    </message>
-    <message>
-        <source>An avatar stands still; --frames is for other formats than .vrm</source>
-        <translation>Un avatar está quieto; --frames es para otros formatos que .vrm</translation>
-    </message>
-    <message>
-        <source>Avatars have one level of detail; --lods is for cards as .glb</source>
-        <translation>Los avatares tienen un solo nivel de detalle; --lods es para tarjetas como .glb</translation>
     </message>
     <message>
         <source>Hairs: %1 (%2 exported, %3 simulated), seed %4</source>
@@ -573,6 +501,54 @@
     <message>
         <source>%1. Usage: %2</source>
         <translation>%1. Uso: %2</translation>
+    </message>
+    <message>
+        <source>--image takes %1, not &apos;%2&apos;</source>
+        <translation>--image toma %1, no «%2»</translation>
+    </message>
+    <message>
+        <source>%1 with --%2</source>
+        <translation>%1 con --%2</translation>
+    </message>
+    <message>
+        <source>--%1 is not for %2, but for %3</source>
+        <translation>--%1 no es para %2, sino para %3</translation>
+    </message>
+    <message>
+        <source>With --%1 -o takes a name that ends in .%2</source>
+        <translation>Con --%1, -o toma un nombre que acaba en .%2</translation>
+    </message>
+    <message>
+        <source>--%1 takes %2, not &apos;%3&apos;</source>
+        <translation>--%1 toma %2, no «%3»</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 o %2</translation>
+    </message>
+    <message>
+        <source>whose unit and axes: %1; %2, in metres with y up, unless given</source>
+        <translation>con la unidad y los ejes de quién: %1; %2, en metros con y hacia arriba, si no se indica</translation>
+    </message>
+    <message>
+        <source>of those images: %1; %2 unless given</source>
+        <translation>de esas imágenes: %1; %2 si no se indica</translation>
+    </message>
+    <message>
+        <source>%1, instead of the project&apos;s</source>
+        <translation>%1, en vez de la del proyecto</translation>
+    </message>
+    <message>
+        <source>at most so many of all cards, %1 to %2; %3 unless given</source>
+        <translation>como mucho tantos entre todas las tarjetas, de %1 a %2; %3 si no se indica</translation>
+    </message>
+    <message>
+        <source>a side of the cards&apos; textures: %1; %3 unless given</source>
+        <translation>un lado de las texturas de las tarjetas: %1; %3 si no se indica</translation>
+    </message>
+    <message>
+        <source>levels of detail, %1 to %2, each of half the triangles of the one before, with the same textures (MSFT_lod); %3 unless given</source>
+        <translation>niveles de detalle, de %1 a %2, cada uno con la mitad de los triángulos del anterior y las mismas texturas (MSFT_lod); %3 si no se indica</translation>
     </message>
 </context>
 <context>
@@ -749,6 +725,70 @@
     <message>
         <source>Cards on spring bones with the whole body, where the head came with a skeleton; for avatar programs, virtual worlds and the web (VRM 1.0).</source>
         <translation>Tarjetas sobre huesos de muelle y todo el cuerpo, si la cabeza llegó con esqueleto; para programas de avatares, mundos virtuales y la web (VRM 1.0).</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancia</translation>
+    </message>
+    <message>
+        <source>Leaves out points of the hairs that lie so near to the line without them; with 0 all points are kept.</source>
+        <translation>Omite los puntos de los pelos que quedan así de cerca de la línea sin ellos; con 0 se conservan todos.</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triángulos</translation>
+    </message>
+    <message>
+        <source>At most so many of all cards together: 2,000 to 8,000 for phones and avatars, 10,000 to 20,000 for consoles and PCs.</source>
+        <translation>Como mucho tantos entre todas las tarjetas: de 2000 a 8000 para teléfonos y avatares, de 10 000 a 20 000 para consolas y ordenadores.</translation>
+    </message>
+    <message>
+        <source>Te&amp;xture</source>
+        <translation>Te&amp;xtura</translation>
+    </message>
+    <message>
+        <source>%1 × %1 pixels</source>
+        <translation>%1 × %1 píxeles</translation>
+    </message>
+    <message>
+        <source>&amp;Levels of detail</source>
+        <translation>&amp;Niveles de detalle</translation>
+    </message>
+    <message>
+        <source>Each further one has half the triangles of the one before and shows the same texture; engines take it for hair that is far away.</source>
+        <translation>Cada uno más tiene la mitad de los triángulos del anterior y muestra la misma textura; los motores lo usan para el pelo que está lejos.</translation>
+    </message>
+    <message>
+        <source>Spring &amp;bones</source>
+        <translation>Hue&amp;sos de muelle</translation>
+    </message>
+    <message>
+        <source>Joints along the locks, so that avatar programs let the hair swing.</source>
+        <translation>Articulaciones a lo largo de los mechones, para que los programas de avatares dejen que el pelo se balancee.</translation>
+    </message>
+    <message>
+        <source>With the &amp;head</source>
+        <translation>Con la &amp;cabeza</translation>
+    </message>
+    <message>
+        <source>The head&apos;s mesh goes into the same file.</source>
+        <translation>La malla de la cabeza va en el mismo archivo.</translation>
+    </message>
+    <message>
+        <source>&amp;Author</source>
+        <translation>&amp;Autor</translation>
+    </message>
+    <message>
+        <source>Whom the avatar&apos;s file names as its author. Others may use it only as the author allows.</source>
+        <translation>A quien el archivo del avatar nombra como autor. Los demás solo pueden usarlo como el autor permita.</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Desconocido</translation>
     </message>
 </context>
 <context>
@@ -3877,60 +3917,8 @@ Se ha perdido esto:</translation>
         <translation>Una parte uniforme de los pelos que hay.</translation>
     </message>
     <message>
-        <source>Tolerance</source>
-        <translation>Tolerancia</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>Leaves out points of the hairs that lie so near to the line without them; with 0 all points are kept.</source>
-        <translation>Omite los puntos de los pelos que quedan así de cerca de la línea sin ellos; con 0 se conservan todos.</translation>
-    </message>
-    <message>
         <source>There are no hairs to be exported here.</source>
         <translation>Aquí no hay pelos que exportar.</translation>
-    </message>
-    <message>
-        <source>Triangles</source>
-        <translation>Triángulos</translation>
-    </message>
-    <message>
-        <source>At most so many of all cards together: 2,000 to 8,000 for phones and avatars, 10,000 to 20,000 for consoles and PCs.</source>
-        <translation>Como mucho tantos entre todas las tarjetas: de 2000 a 8000 para teléfonos y avatares, de 10 000 a 20 000 para consolas y ordenadores.</translation>
-    </message>
-    <message>
-        <source>Te&amp;xture</source>
-        <translation>Te&amp;xtura</translation>
-    </message>
-    <message>
-        <source>%1 × %1 pixels</source>
-        <translation>%1 × %1 píxeles</translation>
-    </message>
-    <message>
-        <source>Spring &amp;bones</source>
-        <translation>Hue&amp;sos de muelle</translation>
-    </message>
-    <message>
-        <source>Joints along the locks, so that avatar programs let the hair swing.</source>
-        <translation>Articulaciones a lo largo de los mechones, para que los programas de avatares dejen que el pelo se balancee.</translation>
-    </message>
-    <message>
-        <source>&amp;Levels of detail</source>
-        <translation>&amp;Niveles de detalle</translation>
-    </message>
-    <message>
-        <source>Each further one has half the triangles of the one before and shows the same texture; engines take it for hair that is far away.</source>
-        <translation>Cada uno más tiene la mitad de los triángulos del anterior y muestra la misma textura; los motores lo usan para el pelo que está lejos.</translation>
-    </message>
-    <message>
-        <source>With the &amp;head</source>
-        <translation>Con la &amp;cabeza</translation>
-    </message>
-    <message>
-        <source>The head&apos;s mesh goes into the same file.</source>
-        <translation>La malla de la cabeza va en el mismo archivo.</translation>
     </message>
     <message>
         <source>Pre&amp;view</source>
@@ -3939,18 +3927,6 @@ Se ha perdido esto:</translation>
     <message>
         <source>Shows the cards in the 3D area, and writes nothing.</source>
         <translation>Muestra las tarjetas en el área 3D, y no escribe nada.</translation>
-    </message>
-    <message>
-        <source>Unknown</source>
-        <translation>Desconocido</translation>
-    </message>
-    <message>
-        <source>Whom the avatar&apos;s file names as its author. Others may use it only as the author allows.</source>
-        <translation>A quien el archivo del avatar nombra como autor. Los demás solo pueden usarlo como el autor permita.</translation>
-    </message>
-    <message>
-        <source>&amp;Author</source>
-        <translation>&amp;Autor</translation>
     </message>
 </context>
 <context>

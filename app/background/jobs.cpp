@@ -28,8 +28,6 @@ constexpr int kMsBetweenLooks = 30;
 constexpr int kMsUntilLeft = 2000; ///< After Cancel, while nothing is computed.
 constexpr double kBusyMs = 3.0;    ///< Between two looks.
 
-std::atomic<int> leftThreads = 0;
-
 /// What the window and the thread of some work share.
 struct Watched
 {
@@ -239,11 +237,9 @@ WorkEnd Jobs::runWatched(const QString& doing, std::function<void(const model::P
     const auto watched = std::make_shared<Watched>();
     watched->work = std::move(work);
     watched->loop = &loop;
-    ++leftThreads; // Until it is known that it is not.
-    std::thread thread([watched] {
+    std::thread thread = countedThread([watched] {
         workWatched(watched);
         watched->work = nullptr; // What it owns goes with it.
-        --leftThreads;
     });
     const bool cancelled = watch(doing, m_window, m_clock, loop, [&](ProgressWindow& progress) {
         progress.showFraction(watched->fraction);
@@ -267,21 +263,17 @@ WorkEnd Jobs::runWatched(const QString& doing, std::function<void(const model::P
 
 void Jobs::runLeft(std::function<std::function<void()>()> work)
 {
-    ++leftThreads;
-    std::thread([work = std::move(work), ear = m_ear] {
+    countedThread([work = std::move(work), ear = m_ear] {
         std::function<void()> told = work();
-        {
-            const std::lock_guard lock(ear->mutex);
-            if (ear->jobs != nullptr)
-                ear->jobs->tellLater(std::move(told));
-        }
-        --leftThreads;
+        const std::lock_guard lock(ear->mutex);
+        if (ear->jobs != nullptr)
+            ear->jobs->tellLater(std::move(told));
     }).detach();
 }
 
 bool Jobs::anyLeft()
 {
-    return leftThreads > 0 || anyCountedThread();
+    return anyCountedThread();
 }
 
 bool Jobs::awaitUntil(const Doing& doing, const std::function<bool()>& ready)

@@ -1,4 +1,4 @@
-// Work in the background: the one way in which the window has something done that may take long.
+// Work in the background: whatever may take long and belongs to the window is done here.
 #pragma once
 
 #include "model/files/project_file.h"
@@ -93,7 +93,8 @@ public:
     /// that it uses; where it throws, the answer is T().
     template<typename T>
     void ask(std::function<T()> question, QObject* receiver, std::function<void(T)> done);
-    /// Work that was left to itself, or a question, is under way: the program ends without its threads' leave.
+    /// Work that was left to itself, a question, or another counted thread (counted_thread.h) is under way: the program
+    /// ends without waiting for it.
     [[nodiscard]] static bool anyLeft();
 
 Q_SIGNALS:

@@ -2,16 +2,14 @@
 #pragma once
 
 #include "model/values/error.h"
-#include "sim/motion/neck_motion.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QStringList>
 
-#include <glm/glm.hpp>
-
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace hairpaint::app {
 
@@ -38,19 +36,19 @@ struct CommandOption
         Required,
         Repeated ///< As often as is wanted.
     };
-    const char* spelling; ///< "-o, --output FILE": its names, and what it takes, if anything.
-    const char* meaning;  ///< To be translated in context "CommandLine".
+    QString spelling; ///< "-o, --output FILE": its names, and what it takes, if anything.
+    QString meaning;  ///< In the system's language.
     Use use = Use::Optional;
-    const char* former = ""; ///< An earlier name that still works.
+    QString former = {}; ///< An earlier name that still works.
 };
 
 /// One verb: "new", "info", "presets", "export", "render", "repair".
 struct Command
 {
     const char* name;
-    const char* operands; ///< What follows the name: "P.hairpaint".
-    const char* purpose;  ///< To be translated in context "CommandLine".
-    std::span<const CommandOption> options = {};
+    const char* operands;                    ///< What follows the name: "P.hairpaint".
+    const char* purpose;                     ///< To be translated in context "CommandLine".
+    std::vector<CommandOption> (*options)(); ///< In the order of the usage line.
     ExitCode (*run)(const QStringList& arguments);
 };
 
@@ -80,21 +78,6 @@ ExitCode wrongUsage(const char* command, const QString& problem);
 /// otherwise.
 [[nodiscard]] std::optional<QStringList> parse(QCommandLineParser& parser, const char* command,
                                                const QStringList& arguments, qsizetype positionals);
-/// A number option within a range; `fallback` where it is not given; none (with the usage printed) where it is
-/// nonsense.
-[[nodiscard]] std::optional<double> numberOption(const QCommandLineParser& parser, const char* command,
-                                                 const QString& option, double fallback, double least, double most);
-/// The same for a count: digits alone.
-[[nodiscard]] std::optional<std::int64_t> countOption(const QCommandLineParser& parser, const char* command,
-                                                      const QString& option, std::int64_t fallback, std::int64_t most);
-/// --wind X,Y,Z in m/s: no value inside where it is not given; none (with the usage printed) where it is nonsense.
-[[nodiscard]] std::optional<std::optional<glm::vec3>> windOption(const QCommandLineParser& parser, const char* command);
-/// --motion NAME, likewise.
-[[nodiscard]] std::optional<std::optional<sim::NeckMotion>> motionOption(const QCommandLineParser& parser,
-                                                                         const char* command);
-/// --hairs N, likewise.
-[[nodiscard]] std::optional<std::optional<std::size_t>> hairsOption(const QCommandLineParser& parser,
-                                                                    const char* command);
 /// Whether that is the name of a project to be written. All outputs are named with their ending: a script is to know
 /// what it gets.
 [[nodiscard]] bool isProjectName(const QString& output);

@@ -1,7 +1,10 @@
 // `hairpaint export`: the hair for other programs.
 #include "app/cli/command.h"
+#include "app/cli/export_options.h"
 #include "app/cli/film.h"
 #include "app/cli/interruption.h"
+#include "app/cli/option_values.h"
+#include "app/cli/verb_options.h"
 #include "app/headless/settled_hair.h"
 #include "model/disk/staged_files.h"
 #include "model/document/document.h"
@@ -9,7 +12,6 @@
 #include "model/exporting/map_images.h"
 #include "model/exporting/uv_sheet.h"
 #include "model/files/project_file.h"
-#include "model/project/skin_tone.h"
 #include "model/values/sentences.h"
 
 #include <QFileInfo>
@@ -22,21 +24,6 @@ namespace hairpaint::app {
 namespace {
 
 constexpr const char* kExport = "export";
-constexpr double kMetresPerMm = 1e-3;
-constexpr double kGreatestToleranceMm = 10.0;
-
-QString formatList()
-{
-    return QLatin1Char('.') + model::exportSuffixes().join(QLatin1String(", ."));
-}
-
-QString targetList()
-{
-    QStringList ids;
-    for (const model::ExportTarget& target : model::exportTargets())
-        ids += QString::fromLatin1(target.id);
-    return ids.join(QLatin1String(", "));
-}
 
 /// Those of these names, all where there are none; the problem where the project has no such group.
 model::Result<std::vector<model::CurveGroupName>> groupsNamed(const model::Project& project, const QStringList& names,
@@ -56,82 +43,6 @@ model::Result<std::vector<model::CurveGroupName>> groupsNamed(const model::Proje
             .arg(missing.front(), model::shownPath(path)));
 }
 
-/// --cards and what belongs to it; the problem in words.
-std::optional<QString> readCards(const QCommandLineParser& parser, const QString& output, model::ExportRequest& request)
-{
-    const QString triangles = parser.value(QStringLiteral("triangles"));
-    const QString atlas = parser.value(QStringLiteral("atlas"));
-    const QString levels = parser.value(QStringLiteral("lods"));
-    const bool isAvatar = request.format->isAvatar; // Of cards, with bones and head.
-    if (parser.isSet(QStringLiteral("author")) && !isAvatar)
-        return CommandLine::tr("--author is for avatars; with it -o takes a name that ends in .vrm");
-    if (!parser.isSet(QStringLiteral("cards")) && !isAvatar) {
-        constexpr std::array kOfCards = {"triangles", "atlas", "lods", "bones", "with-head"};
-        const auto* const given =
-            std::ranges::find_if(kOfCards, [&](const char* name) { return parser.isSet(QString::fromLatin1(name)); });
-        if (given == kOfCards.end())
-            return std::nullopt;
-        return CommandLine::tr("--%1 is for cards; give --cards too").arg(QLatin1StringView(*given));
-    }
-    request.format = model::findExportFormat(output, &model::cardFormat());
-    if (!request.format->hasCards)
-        return CommandLine::tr("Cards are written as glTF; with --cards -o takes a name that ends in .glb");
-    if (parser.isSet(QStringLiteral("frames")))
-        return isAvatar ? CommandLine::tr("An avatar stands still; --frames is for other formats than .vrm")
-                        : CommandLine::tr("--cards and --frames exclude each other");
-    if (isAvatar && parser.isSet(QStringLiteral("lods")))
-        return CommandLine::tr("Avatars have one level of detail; --lods is for cards as .glb");
-    request.cards.springBones = parser.isSet(QStringLiteral("bones"));
-    request.cards.withHead = parser.isSet(QStringLiteral("with-head"));
-    using Cards = model::CardSettings;
-    if (!levels.isEmpty()) {
-        bool isNumber = false;
-        request.cards.levels = levels.toInt(&isNumber);
-        if (!isNumber || request.cards.levels < 1 || request.cards.levels > Cards::kMostLevels)
-            return CommandLine::tr("--lods takes a number from 1 to %1, not '%2'").arg(Cards::kMostLevels).arg(levels);
-    }
-    if (!triangles.isEmpty()) {
-        bool isNumber = false;
-        request.cards.triangles = triangles.toInt(&isNumber);
-        if (!isNumber || request.cards.triangles < Cards::kFewestTriangles ||
-            request.cards.triangles > Cards::kMostTriangles)
-            return CommandLine::tr("--triangles takes a number from %1 to %2, not '%3'")
-                .arg(Cards::kFewestTriangles)
-                .arg(Cards::kMostTriangles)
-                .arg(triangles);
-    }
-    if (!atlas.isEmpty()) {
-        QStringList sizes;
-        for (int size = Cards::kSmallestAtlasPx; size <= Cards::kLargestAtlasPx; size *= 2)
-            sizes += QString::number(size);
-        if (!sizes.contains(atlas))
-            return CommandLine::tr("--atlas takes %1, not '%2'").arg(sizes.join(QLatin1String(", ")), atlas);
-        request.cards.atlasPx = atlas.toInt();
-    }
-    return std::nullopt;
-}
-
-/// What is wanted of the hair, without its groups; the problem in words.
-tl::expected<model::ExportRequest, QString> readRequest(const QCommandLineParser& parser, const QString& output)
-{
-    model::ExportRequest request;
-    request.format = &model::exportFormats().front();
-    if (parser.isSet(QStringLiteral("o")))
-        request.format = model::findExportFormat(output);
-    if (request.format == nullptr)
-        return tl::unexpected(CommandLine::tr("-o takes a name that ends in %1").arg(formatList()));
-    if (const auto problem = readCards(parser, output, request); problem)
-        return tl::unexpected(*problem);
-    request.target = &model::exportTargets().front();
-    if (parser.isSet(QStringLiteral("target"))) {
-        const QString id = parser.value(QStringLiteral("target"));
-        request.target = model::findExportTarget(id);
-        if (request.target == nullptr)
-            return tl::unexpected(CommandLine::tr("--target takes %1, not '%2'").arg(targetList(), id));
-    }
-    return request;
-}
-
 /// What is wanted of the maps; the problem in words.
 tl::expected<model::MapImageOptions, QString> readMapOptions(const QCommandLineParser& parser)
 {
@@ -139,8 +50,8 @@ tl::expected<model::MapImageOptions, QString> readMapOptions(const QCommandLineP
     if (parser.isSet(QStringLiteral("image"))) {
         options.format = model::findMapImageFormat(parser.value(QStringLiteral("image")));
         if (options.format == nullptr)
-            return tl::unexpected(CommandLine::tr("--image takes png, tif, exr or tga, not '%1'")
-                                      .arg(parser.value(QStringLiteral("image"))));
+            return tl::unexpected(CommandLine::tr("--image takes %1, not '%2'")
+                                      .arg(listOf(model::mapImageSuffixes()), parser.value(QStringLiteral("image"))));
     }
     if (parser.isSet(QStringLiteral("depth"))) {
         const QString depth = parser.value(QStringLiteral("depth"));
@@ -173,7 +84,7 @@ struct HairMotion
     Film film;
 };
 
-/// A film's files lie beside their places until the last one is there.
+/// A film's files are staged beside their targets until the last one is written.
 model::Result<void> exportFilm(SettledHair& hair, const HairMotion& wanted, const model::ExportRequest& request,
                                const QString& output)
 {
@@ -228,11 +139,13 @@ model::Result<void> checkShapes(const QString& output, const Film& film, const Q
 /// What would be given for nothing; empty where there is none.
 QString uselessOption(const QCommandLineParser& parser)
 {
-    constexpr std::array kOfHair = {"target", "tolerance", "settle", "hairs", "wind", "motion", "frames", "fps"};
+    constexpr std::array kOfHair = {"target", "settle", "hairs", "wind", "motion", "frames", "fps"};
     constexpr std::array kOfMaps = {"image", "depth", "grey"};
     const auto isGiven = [&parser](const char* name) { return parser.isSet(QString::fromLatin1(name)); };
-    if (const auto* const name = std::ranges::find_if(kOfHair, isGiven); !isGiven("o") && name != kOfHair.end())
-        return CommandLine::tr("--%1 is for hair; give -o too").arg(QLatin1StringView(*name));
+    const auto* const ofHair = std::ranges::find_if(kOfHair, isGiven);
+    const QString useless = ofHair != kOfHair.end() ? QString::fromLatin1(*ofHair) : givenFormatOption(parser);
+    if (!isGiven("o") && !useless.isEmpty())
+        return CommandLine::tr("--%1 is for hair; give -o too").arg(useless);
     if (const auto* const name = std::ranges::find_if(kOfMaps, isGiven); !isGiven("maps") && name != kOfMaps.end())
         return CommandLine::tr("--%1 is for images of maps; give --maps too").arg(QLatin1StringView(*name));
     return {};
@@ -262,7 +175,6 @@ ExitCode runExport(const QStringList& arguments)
     if (!sheet.isEmpty() && !model::isUvSheet(sheet))
         return wrongUsage(kExport, CommandLine::tr("--uv-sheet takes a name that ends in .pdf or .svg"));
     const auto settle = numberOption(parser, kExport, QStringLiteral("settle"), 0.0, 0.0, 60.0);
-    const auto tolerance = numberOption(parser, kExport, QStringLiteral("tolerance"), 0.0, 0.0, kGreatestToleranceMm);
     const auto hairs = hairsOption(parser, kExport);
     const auto wind = windOption(parser, kExport);
     const auto motion = motionOption(parser, kExport);
@@ -270,15 +182,14 @@ ExitCode runExport(const QStringList& arguments)
     if (!film)
         return wrongUsage(kExport, film.error());
     const auto rate = numberOption(parser, kExport, QStringLiteral("fps"), film->framesPerSecond, 1.0, 240.0);
-    if (!settle || !tolerance || !hairs || !wind || !motion || !rate)
+    if (!settle || !hairs || !wind || !motion || !rate)
         return ExitCode::WrongUsage;
     film->framesPerSecond = *rate;
     // Points would come and go from frame to frame.
-    if (film->wanted() && *tolerance > 0.0)
+    if (film->wanted() && request->curves.toleranceM > 0.0F)
         return wrongUsage(kExport, CommandLine::tr("--tolerance and --frames exclude each other"));
     const HairMotion wanted{.settleSeconds = *settle, .windVelocity = *wind, .motion = *motion, .film = *film};
     request->curves.hairs = *hairs;
-    request->curves.toleranceM = static_cast<float>(*tolerance * kMetresPerMm);
 
     if (const model::Result<void> free = checkShapes(output, *film, *files); !output.isEmpty() && !free)
         return failed(free.error());
@@ -291,13 +202,10 @@ ExitCode runExport(const QStringList& arguments)
         groupsNamed(*project, parser.values(QStringLiteral("group")), files->front());
     if (!groups)
         return failed(groups.error());
-    if (request->format->isAvatar) {
-        const model::Checked<std::shared_ptr<const model::Avatar>> avatar = model::avatarOf(
-            *project->head, QFileInfo(files->front()).completeBaseName(), parser.value(QStringLiteral("author")));
-        if (!avatar)
-            return failed(model::cannotWrite(output, avatar.error()).value());
-        request->avatar = *avatar;
-    }
+    if (const model::Result<void> whole =
+            model::addProject(*request, *project, QFileInfo(files->front()).completeBaseName(), output);
+        !whole)
+        return failed(whole.error());
     if (!sheet.isEmpty())
         if (const model::Result<void> written = model::writeUvSheet(project->head->skin->mesh(), sheet); !written)
             return failed(written.error());
@@ -311,8 +219,6 @@ ExitCode runExport(const QStringList& arguments)
     if (output.isEmpty())
         return ExitCode::Done;
     request->curves.groups = std::move(*groups);
-    request->colliders = project->ellipsoids;
-    request->skinColour = model::skinLook(project->skin).skin;
     if (const model::Result<void> written = exportShape(std::move(*project), wanted, *request, output); !written)
         return failed(written.error());
     return ExitCode::Done;

@@ -1,4 +1,4 @@
-// Ctrl+C, kill and a closed terminal while a verb writes: what lies half made beside its place goes first.
+// Ctrl+C, kill and a closed terminal while a verb writes: unfinished files are removed first.
 #pragma once
 
 #include "model/values/progress.h"

@@ -1,6 +1,7 @@
 // `hairpaint new`: a project from a head, a preset and images.
 #include "app/background/heads.h"
 #include "app/cli/command.h"
+#include "app/cli/option_values.h"
 #include "app/styles/library.h"
 #include "model/document/commands.h"
 #include "model/files/image_map.h"

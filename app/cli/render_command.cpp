@@ -2,6 +2,7 @@
 #include "app/cli/command.h"
 #include "app/cli/film.h"
 #include "app/cli/interruption.h"
+#include "app/cli/option_values.h"
 #include "app/headless/picture.h"
 #include "app/headless/settled_hair.h"
 #include "model/disk/staged_files.h"
@@ -162,7 +163,7 @@ model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const Ren
                                const rendering::Camera& camera, const QString& output)
 {
     const Interruption interruption;
-    // Pictures of a film lie beside their places until the last one is there.
+    // Pictures of a film are staged beside their targets until the last one is written.
     model::StagedFiles folder(QFileInfo(output).path());
     if (model::Result<void> ready = folder.check(framePath(output, options.film.first)); !ready)
         return ready;

@@ -9,7 +9,7 @@
 
 namespace hairpaint::app {
 
-/// Everything of its kind that the menus offer, with the one way in which it asks and tells. GUI thread.
+/// Everything of its kind that the menus offer, with the one FileWork through which it asks and tells. GUI thread.
 class Exchange
 {
 public:

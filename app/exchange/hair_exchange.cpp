@@ -50,7 +50,7 @@ void HairExchange::exportHair()
         if (frame == nullptr)
             return;
         const model::Project project = m_session.document().committed();
-        m_export.author = m_files.settings().avatarAuthor();
+        m_export.request.author = m_files.settings().avatarAuthor();
         m_dialog = new view::ExportHairDialog(exportableGroups(project, *frame), m_export, &m_files.window());
         m_dialog->setAttribute(Qt::WA_DeleteOnClose);
         m_dialog->setAvatarProblem(avatarProblem(project));
@@ -70,7 +70,7 @@ void HairExchange::exportHair()
 void HairExchange::rememberChoice()
 {
     m_export = m_dialog->choice();
-    m_files.settings().setAvatarAuthor(m_export.author);
+    m_files.settings().setAvatarAuthor(m_export.request.author);
 }
 
 void HairExchange::followHair()

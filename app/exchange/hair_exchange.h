@@ -27,7 +27,7 @@ public:
     /// Curves of other programs as new hair groups, one undo step.
     void importHair(); ///< Asks for the file.
     void importHairFrom(const QString& path);
-    /// Into every Blender that is there; asks for a place where there is none.
+    /// Into every Blender that is there; asks for a folder where there is none.
     void installBlenderAddon();
     /// The hair of the document as it is, waited for; null where that was cancelled or there is no memory for it.
     /// `whenCancelled`: as in Doing.

@@ -2,7 +2,6 @@
 #include "app/exchange/hair_export.h"
 
 #include "app/headless/settled_hair.h"
-#include "model/project/skin_tone.h"
 #include "model/values/sentences.h"
 
 #include <QFileInfo>
@@ -70,15 +69,9 @@ model::Result<void> exportChosen(const model::Project& project, const std::share
                                  const model::Progress& progress)
 {
     model::ExportRequest request = choice.request;
-    request.colliders = project.ellipsoids;
-    request.skinColour = model::skinLook(project.skin).skin;
-    if (request.format->isAvatar) {
-        const model::Checked<std::shared_ptr<const model::Avatar>> avatar =
-            model::avatarOf(*project.head, QFileInfo(path).completeBaseName(), choice.author);
-        if (!avatar)
-            return model::cannotWrite(path, avatar.error());
-        request.avatar = *avatar;
-    }
+    if (model::Result<void> whole = model::addProject(request, project, QFileInfo(path).completeBaseName(), path);
+        !whole)
+        return whole;
     const Shape shape = chosenShape(project, frame, choice.source, progress);
     if (shape.frame == nullptr)
         return model::cancelled(path);
@@ -90,13 +83,15 @@ cardsChosen(const model::Project& project, const std::shared_ptr<const sim::Stra
             const view::HairExportChoice& choice, const model::Progress& progress)
 {
     constexpr double kMeasured = 0.2; // Of all work, finding the curves.
+    const model::ExportFormat& format = choice.request.format->hasCards ? *choice.request.format : model::cardFormat();
+    const model::ExportRequest wanted = format.requestFor(choice.request);
     const Shape shape = chosenShape(project, frame, choice.source, progress);
     std::optional<model::HairCards> cards;
     std::vector<sim::StrandMaterial> materials;
     if (shape.frame != nullptr)
         if (const std::optional<model::CurveSet> curves = model::CurveSet::of(
-                shape.frame, choice.request.curves, [&](double done) { return shape.progress(kMeasured * done); })) {
-            cards = model::makeCards(*curves, choice.request.format->cardsFor(choice.request.cards),
+                shape.frame, wanted.curves, [&](double done) { return shape.progress(kMeasured * done); })) {
+            cards = model::makeCards(*curves, wanted.cards,
                                      [&](double done) { return shape.progress(kMeasured + (1.0 - kMeasured) * done); });
             for (const model::CurveGroup& group : curves->groups())
                 materials.push_back(shape.frame->groups[group.frameGroup].groom->settings.material);

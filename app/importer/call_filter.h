@@ -26,10 +26,10 @@ struct AllowedCall
 [[nodiscard]] std::vector<AllowedCall> allowedCalls();
 
 /// From now on every thread of this process makes allowed calls only. What is refused fails with ENOSYS, as on a kernel
-/// that lacks the call: libraries must live with that, and take an older way where they know one, so that a newer C
-/// library costs no head. Killing would tell of an attack, but also end the decoding of a good file by a library that
-/// only asked. Calls by another machine's numbers (32 bits, x32) are made by no library: those do kill. False where the
-/// kernel has no filters or the program was built without libseccomp.
+/// that lacks the call: libraries must live with that, and fall back on an older call where they know one, so that a
+/// newer C library costs no head. Killing would tell of an attack, but also end the decoding of a good file by a
+/// library that only asked. Calls by another machine's numbers (32 bits, x32) are made by no library: those do kill.
+/// False where the kernel has no filters or the program was built without libseccomp.
 [[nodiscard]] bool filterCalls();
 
 } // namespace hairpaint::importer

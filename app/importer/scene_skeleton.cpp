@@ -1,4 +1,4 @@
-// Joints, the places where meshes were bound to them, and the four heaviest weights of each vertex.
+// Joints, their bind poses, and the four heaviest weights of each vertex.
 #include "app/importer/scene_skeleton.h"
 
 #include <algorithm>

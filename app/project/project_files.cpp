@@ -5,6 +5,7 @@
 #include "app/settings/file_dialogs.h"
 #include "app/styles/library.h"
 #include "model/disk/earlier_versions.h"
+#include "model/files/encoded_layers.h"
 #include "model/repair/project_repair.h"
 
 #include <QFileInfo>

@@ -45,7 +45,7 @@ public:
     bool openPath(const QString& path);
     /// Whether that file is what is open, however its path is spelt.
     [[nodiscard]] bool isOpen(const QString& path);
-    /// What a journal kept takes the place of the project that is open, which nobody has changed.
+    /// Replaces the open project, which nobody has changed, by what a journal kept.
     bool restore(const model::RecoveredWork& work);
     [[nodiscard]] static Doing restoring();
     bool save();
@@ -75,12 +75,12 @@ private:
         bool isOpen = false;
         std::optional<model::Error> problem; ///< None where it was cancelled.
     };
-    /// Reads a project and resolves its maps in the background; then it takes the place of the one that is open.
+    /// Reads a project and resolves its maps in the background; then it replaces the one that is open.
     Taken take(const Doing& doing, std::shared_ptr<model::EncodedLayers> encoded, const QString& path,
                Work<model::Project> read);
     Taken takeQuietly(const Doing& doing, std::shared_ptr<model::EncodedLayers> encoded, const QString& path,
                       Work<model::Project> read);
-    /// What can be read of a damaged file takes the place of the project that is open, as one that was never saved.
+    /// What can be read of a damaged file replaces the open project, as one that was never saved.
     bool openRepaired(const QString& path);
     enum class Changed ///< By another program.
     {

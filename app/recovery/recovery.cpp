@@ -1,6 +1,7 @@
 // Reading journals and asking.
 #include "app/recovery/recovery.h"
 
+#include "app/background/counted_thread.h"
 #include "app/recovery/recovery_dialog.h"
 #include "app/styles/style_pictures.h"
 #include "model/disk/staged_sweep.h"
@@ -11,7 +12,6 @@
 #include <QSet>
 
 #include <algorithm>
-#include <thread>
 
 namespace hairpaint::app {
 
@@ -114,7 +114,7 @@ void sweepBeside(const QStringList& files)
     QSet<QString> folders;
     for (const QString& file : files)
         folders.insert(QFileInfo(file).absolutePath());
-    std::thread([folders] {
+    countedThread([folders] {
         for (const QString& folder : folders)
             (void)model::sweepStaged(folder);
     }).detach();

@@ -1,4 +1,4 @@
-// The one place where document, editor, simulation and views are connected.
+// Connects document, editor, simulation and views; nothing else does.
 #pragma once
 
 #include "model/document/document.h"

@@ -1,4 +1,4 @@
-// Choosing a place, and remembering one.
+// Choosing a position, and remembering one.
 #include "app/settings/dialog_places.h"
 
 #include <QApplication>

@@ -26,7 +26,7 @@ struct DialogRoom
 /// The top left corner at which a dialog of `size` hides least of the head: over what lies beside the 3D area, else at
 /// the window's edge. Inside the screen; what is larger keeps its title there.
 [[nodiscard]] QPoint placeBesideHead(QSize size, const DialogRoom& room);
-/// The place nearest to `wanted` that is inside the screen.
+/// The position nearest to `wanted` that is inside the screen.
 [[nodiscard]] QPoint insideScreen(QPoint wanted, QSize size, const QRect& screen);
 
 /// Places the window's dialogs when they are shown, and keeps where the user moves them. Questions, file dialogs and

@@ -1,4 +1,4 @@
-// The one way in which files and folders are asked for.
+// Asks for files and folders; nothing else opens a file dialog.
 #pragma once
 
 #include "app/background/jobs.h"

@@ -1,6 +1,7 @@
 // Settings as JSON: see the header.
 #include "app/settings/settings_store.h"
 
+#include "app/background/counted_thread.h"
 #include "model/disk/atomic_file.h"
 #include "model/disk/own_folder.h"
 
@@ -14,7 +15,6 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 namespace hairpaint::app {
@@ -133,7 +133,7 @@ std::optional<QJsonObject> SettingsStore::read()
     };
     const auto answer = std::make_shared<Answer>();
     // A thread that is left to itself where the disk never answers.
-    std::thread([answer, path = m_path] {
+    countedThread([answer, path = m_path] {
         std::optional<QJsonObject> values;
         if (QFileInfo::exists(path))
             values =

@@ -62,7 +62,7 @@ void ActionSet::addRow(QMenu& menu, const ActionRow& row)
 
 void ActionSet::follow()
 {
-    for (const Entry& entry : m_entries) {
+    for (const AddedAction& entry : m_entries) {
         if (entry.row.on)
             entry.action->setChecked(entry.row.on());
         if (entry.row.enabled)
@@ -75,14 +75,14 @@ void ActionSet::follow()
 QAction* ActionSet::find(QLatin1StringView id) const
 {
     const auto found =
-        std::ranges::find_if(m_entries, [id](const Entry& entry) { return entry.action->objectName() == id; });
+        std::ranges::find_if(m_entries, [id](const AddedAction& entry) { return entry.action->objectName() == id; });
     return found == m_entries.end() ? nullptr : found->action;
 }
 
 std::vector<view::KeyBinding> ActionSet::bindings() const
 {
     std::vector<view::KeyBinding> bindings;
-    for (const Entry& entry : m_entries)
+    for (const AddedAction& entry : m_entries)
         bindings.push_back(
             {.action = entry.action, .section = entry.section, .name = entry.name, .defaultKeys = entry.row.keys});
     return bindings;

@@ -24,7 +24,7 @@ struct ActionRow
     const char* icon = nullptr;
     std::function<bool()> on = {};       ///< Makes it a switch that shows what this says.
     std::function<bool()> enabled = {};  ///< Always, where there is none.
-    std::function<QString()> label = {}; ///< In place of `text` in the menu, where words in it change.
+    std::function<QString()> label = {}; ///< Instead of `text` in the menu, where words in it change.
 };
 
 /// A name in a menu's text, which would take its & for a mark of its own.
@@ -47,7 +47,7 @@ public:
     void forget(QAction* action); ///< It has its own keys again.
 
 private:
-    struct Entry
+    struct AddedAction
     {
         QAction* action;
         QString section;
@@ -58,7 +58,7 @@ private:
 
     Settings& m_settings;
     QWidget& m_window;
-    std::vector<Entry> m_entries;
+    std::vector<AddedAction> m_entries;
 };
 
 } // namespace hairpaint::app

@@ -1,4 +1,4 @@
-// The keyboard's way through the window: from area to area, and round within one.
+// Keyboard focus in the window: F6 goes from area to area, Tab around within one.
 #pragma once
 
 #include <QObject>

@@ -1,4 +1,4 @@
-// The window: connects what it shows with what it works on, takes dropped files and the keys that go by their place.
+// The window: connects what it shows with what it works on, takes dropped files and the keys that go by their position.
 #pragma once
 
 #include "app/background/journal.h"
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] view::HeadView& headView();
 
     /// The first that it does: offers unsaved work, then opens `file`, if any. A project whose unsaved work was
-    /// restored is open then; nor does another one take the place of what was restored.
+    /// restored is open then; nor is what was restored replaced by another one.
     void begin(const QString& file);
     /// Asks what becomes of work that windows which are gone left unsaved; nothing happens where there is none. That on
     /// `file` is offered first. Whether some was restored.
@@ -87,8 +87,8 @@ private:
 
     /// Alt and a digit: strands take that map's colours while both are held.
     void lookAt(std::optional<model::MapKind> map);
-    /// Brackets and digits go by their place on the keyboard, since many layouts can't type them: the action that has
-    /// that key, null where it has been given another.
+    /// Brackets and digits go by their position on the keyboard, since many layouts can't type them: the action that
+    /// has that key, null where it has been given another.
     [[nodiscard]] QAction* actionAt(PhysicalKey key) const;
 
     Settings m_settings;

@@ -1,4 +1,4 @@
-// Another project is on its way: the 3D area says so until that project's own hair is there.
+// While another project is being opened the 3D area says so, until that project's own hair is there.
 #pragma once
 
 #include "app/project/project_files.h"

@@ -1,4 +1,4 @@
-// Keys by place: see the header.
+// Keys by position: see the header.
 #include "app/window/physical_keys.h"
 
 namespace hairpaint::app {

@@ -1,4 +1,4 @@
-// Keys by their place on the keyboard, whatever the layout types with them.
+// Keys by their position on the keyboard, whatever the layout types with them.
 #pragma once
 
 #include <QKeyEvent>

@@ -35,7 +35,7 @@ bool isDiskFull(const QString& path)
     return disk.isValid() && disk.isReady() && disk.bytesAvailable() < kHardlyAnything;
 }
 
-/// Some file systems find out only now that a byte has no place. Empty where all is well.
+/// Some file systems find out only now that there is no room for a byte. Empty where all is well.
 QString syncProblem([[maybe_unused]] const QFileDevice& file)
 {
 #ifdef Q_OS_UNIX

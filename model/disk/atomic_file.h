@@ -1,4 +1,4 @@
-// The one way in which files are written: whole, or not at all.
+// Writes files whole or not at all; no other code writes any.
 #pragma once
 
 #include "model/disk/output_place.h"
@@ -10,7 +10,7 @@
 
 namespace hairpaint::model {
 
-/// A file beside `path`, or beside what that is a link to, that takes its place once every byte is known to lie on the
+/// A file beside `path`, or beside what that is a link to, that replaces it once every byte is known to lie on the
 /// disk; until then, and where anything fails, `path` keeps what it held. One thread. Errors: clauses for cannotWrite.
 class AtomicFile
 {
@@ -23,7 +23,7 @@ public:
     /// Over bytes that were written before; what is written later follows the last of all.
     void rewrite(qint64 at, QByteArrayView bytes);
     [[nodiscard]] bool failed() const { return !m_problem.isEmpty(); }
-    /// Has every byte lie on the disk, which may take long; nothing has taken the place of anything yet.
+    /// Has every byte lie on the disk, which may take long; nothing has been replaced yet.
     [[nodiscard]] Checked<void> flush();
     [[nodiscard]] Checked<void> commit();
 
@@ -52,7 +52,7 @@ private:
 
 /// Everything written to an open file lies on its disk when this returns well.
 [[nodiscard]] Checked<void> flushToDisk(QFileDevice& file);
-/// Puts one file in the place of another, which is never missing nor half meanwhile.
+/// Replaces one file by another: at any moment the name leads to the former or to the new one, whole.
 [[nodiscard]] bool replaceFile(const QString& from, const QString& to);
 
 /// Why the last write to `file` failed, as a clause.

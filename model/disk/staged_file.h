@@ -1,4 +1,4 @@
-// A file under way, beside the one whose place it will take.
+// A file under way, beside the one that it will replace.
 #pragma once
 
 #include <QFile>
@@ -20,7 +20,7 @@ public:
     /// For writing, unbuffered, with the permissions of the file to be, where there is one. False: file() tells why.
     [[nodiscard]] bool open();
     [[nodiscard]] QFile& file() { return m_file; }
-    /// Gives it the place and the name, at once, and closes it. False: nothing has changed; problem() tells why, as a
+    /// Renames it over the target, at once, and closes it. False: nothing has changed; problem() tells why, as a
     /// clause.
     [[nodiscard]] bool place();
     [[nodiscard]] const QString& problem() const { return m_problem; }

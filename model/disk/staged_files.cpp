@@ -40,7 +40,7 @@ QString moveFile(const QString& from, const QString& to)
     return problem ? writeRefusal(QString::fromLocal8Bit(problem.message())) : QString();
 }
 
-/// Gives it a second name, so that its place is never empty; the first goes where a disk knows no such names.
+/// Gives it a second name, so that the first always names a file; the first goes where a disk knows no such names.
 QString keepFile(const QString& file, const QString& as)
 {
     std::error_code problem;

@@ -29,7 +29,7 @@ bool sweepFolder(const OwnFolder& place, const QString& name)
                 folder->remove(file);
         if (const std::optional<OwnFolder> aside = folder->child(StagedFiles::kAsideName))
             for (const QString& file : aside->names())
-                // What was put aside has another name as long as it is in its place too.
+                // What was put aside has another name as long as it is not replaced.
                 if (const std::optional<OwnEntry> entry = aside->entry(file); isFile(entry) && entry->hasOtherNames)
                     aside->remove(file);
         folder->removeFolder(StagedFiles::kAsideName);

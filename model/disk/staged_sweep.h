@@ -6,7 +6,7 @@
 namespace hairpaint::model {
 
 /// Removes files and folders of StagedFile and StagedFiles in that folder, none that anyone still writes, and nothing
-/// that a place has lost and not got back. How many. Any thread.
+/// that were moved aside and not moved back. How many. Any thread.
 int sweepStaged(const QString& folder);
 
 } // namespace hairpaint::model

@@ -65,7 +65,7 @@ struct LayerProperties
 /// Null for the last one: there is always one to paint in.
 [[nodiscard]] CommandPtr removeGroupCommand(Document& document, Id group);
 [[nodiscard]] CommandPtr renameGroupCommand(Document& document, Id group, const QString& name);
-/// Null where it stays in its place; `newPosition` is counted from the first.
+/// Null where its position stays; `newPosition` is counted from the first.
 [[nodiscard]] CommandPtr moveGroupCommand(Document& document, Id group, int newPosition);
 [[nodiscard]] CommandPtr showGroupCommand(Document& document, Id group, bool visible);
 /// The group with another range (model/document/range_change.h), made of its committed content.

@@ -301,7 +301,7 @@ void Document::commitEdit()
     state.committing = true;
     CommandPtr command = state.running->command(*this);
     const bool changes = command != nullptr;
-    push(std::move(command)); // Its redo() takes the place of what is shown.
+    push(std::move(command)); // Its redo() replaces what is shown.
     state.committing = false;
     if (!changes)
         dropEdit();

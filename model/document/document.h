@@ -37,7 +37,7 @@ public:
     void setUndoBudget(std::size_t bytes);
     [[nodiscard]] bool modified() const; ///< Since the last markSaved().
     void markSaved();
-    /// Puts another project in place of this one; clears the history. Where memory runs out it throws std::bad_alloc,
+    /// Replaces the project; clears the history. Where memory runs out it throws std::bad_alloc,
     /// and all is as it was.
     void replace(Project project);
     /// The same with its maps resolved already, on another thread.

@@ -50,7 +50,7 @@ public:
     /// Shows `edit`, run on the committed content; it may touch what `change` says and nothing else. Replaces what this
     /// session showed before of the same part; its other parts stay.
     void preview(const Change& change, const std::function<void(Project&)>& edit);
-    /// Shows these tiles in place of a committed layer's, all others as they are. Work in proportion to the tiles.
+    /// Shows these tiles instead of a committed layer's, all others as they are. Work in proportion to the tiles.
     void previewTiles(const LayerAddress& address, const LayerTiles& tiles);
 
     /// What is shown becomes one step of the history, with the same bytes; none where nothing differs.

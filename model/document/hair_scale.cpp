@@ -45,13 +45,13 @@ HairScale::Limits HairScale::limits(const sim::GroupSettings& settings) const
     return isZero ? Limits{} : limits;
 }
 
-void HairScale::apply(sim::GroupSettings& settings, double share) const
+void HairScale::apply(sim::GroupSettings& settings, double factor) const
 {
     for (const char* const key : ranges) {
         if (key == nullptr)
             continue;
         const GroupSetting& row = groupSetting(QLatin1StringView(key));
-        row.write(settings, std::clamp(row.read(settings) * share, row.least, row.greatest));
+        row.write(settings, std::clamp(row.read(settings) * factor, row.least, row.greatest));
     }
 }
 

@@ -1,4 +1,4 @@
-// All hair of a group made longer, denser or more widely curled by a share: the ranges change and the maps stay.
+// All hair of a group made longer, denser or more widely curled by a factor: the ranges change and the maps stay.
 #pragma once
 
 #include "sim/groom/group_settings.h"
@@ -14,17 +14,17 @@ namespace hairpaint::model {
 struct HairScale
 {
     const char* title;                 ///< To be translated in context "HairScale".
-    std::array<const char*, 2> ranges; ///< Keys of the settings that grow by the same share; null for none.
+    std::array<const char*, 2> ranges; ///< Keys of the settings that are multiplied by the same factor; null for none.
 
     [[nodiscard]] QString titleText() const; ///< Translated.
-    /// The shares that every one of its settings can take, from `least` to `greatest`; both 1 where it is 0.
+    /// The factors that every one of its settings can take, from `least` to `greatest`; both 1 where it is 0.
     struct Limits
     {
         double least = 1.0, greatest = 1.0;
     };
     [[nodiscard]] Limits limits(const sim::GroupSettings& settings) const;
-    /// `share`: 1 changes nothing; within the limits.
-    void apply(sim::GroupSettings& settings, double share) const;
+    /// `factor`: 1 changes nothing; within the limits.
+    void apply(sim::GroupSettings& settings, double factor) const;
 };
 
 [[nodiscard]] std::span<const HairScale> hairScales();

@@ -18,7 +18,7 @@ struct RunningEdit
     std::map<LayerAddress, std::map<int, sim::RasterTilePtr>> tiles;
 
     [[nodiscard]] bool showsSomething() const { return !parts.empty() || !tiles.empty(); }
-    /// Puts `part` over the committed content, in place of the one of the same part of the content.
+    /// Puts `part` over the committed content, instead of the one for the same part of the content.
     void showPart(const Project& committed, ShownPart part);
     /// The change to tell; none where the layer is not there.
     std::optional<Change> showTiles(const LayerAddress& address, const LayerTiles& tiles);
@@ -27,5 +27,8 @@ struct RunningEdit
     /// Gives committed content the bytes that are shown. Null where nothing differs.
     [[nodiscard]] CommandPtr command(Document& document) const;
 };
+
+/// Whether telling of `told` tells all that `change` says.
+[[nodiscard]] bool covers(const Change& told, const Change& change);
 
 } // namespace hairpaint::model

@@ -23,7 +23,8 @@ struct Avatar
     std::shared_ptr<const sim::Skin> skin; ///< Whose vertices the skeleton's weights are for.
 };
 
-/// A clause, with the way on, where the head has no such skeleton. Texts that are empty are "Unknown".
+/// A clause that says what is missing and what to do, where the head has no such skeleton. Texts that are empty are
+/// "Unknown".
 [[nodiscard]] Checked<std::shared_ptr<const Avatar>> avatarOf(const Head& head, const QString& name,
                                                               const QString& author);
 

@@ -26,7 +26,7 @@ struct CurveGroupName
 struct CurveOptions
 {
     std::vector<CurveGroupName> groups; ///< Those that are exported; hidden ones are left out all the same.
-    std::optional<std::size_t> hairs;   ///< An even share of those that are there; else all.
+    std::optional<std::size_t> hairs;   ///< So many of the hairs, evenly spread; else all.
     float toleranceM = 0.0F; ///< Points that lie within it of the curve without them are left out; 0 keeps all.
 };
 
@@ -89,7 +89,7 @@ public:
     [[nodiscard]] std::span<const glm::vec3> points(const Curve& curve, CurveScratch& scratch) const;
     /// A guide's: its skeleton.
     [[nodiscard]] std::span<const glm::vec3> guidePoints(const Curve& guide, CurveScratch& scratch) const;
-    /// How far point i of a curve is on the way to the tip, 0..1.
+    /// Position of point i along a curve: 0 at the root, 1 at the tip.
     [[nodiscard]] float fraction(const Curve& curve, std::uint32_t i) const;
 
     /// A hair keeps its root's opacity for long, and thins out by it: as on the screen. 0..1.

@@ -1,4 +1,4 @@
-// The rows, and how one of them is carried out.
+// The rows of formats and programs.
 #include "model/exporting/export_format.h"
 
 #include "model/exporting/cards/card_file.h"
@@ -6,7 +6,6 @@
 #include "model/exporting/obj_file.h"
 #include "model/exporting/ribbon_file.h"
 #include "model/exporting/usd_file.h"
-#include "model/values/sentences.h"
 
 #include <QCoreApplication>
 
@@ -31,38 +30,51 @@ constexpr std::array<ExportTarget, 6> kTargets = {{
     {.id = "maya", .title = "Maya", .space = kCentimetres},
 }};
 
+constexpr const char* kCardsFlag = "cards";
+
+// What formats take.
+constexpr std::array kOfCurves = {&kToleranceOption};
+constexpr std::array kOfCards = {&kTrianglesOption, &kAtlasOption, &kLevelsOption, &kBonesOption, &kWithHeadOption};
+constexpr std::array kOfAvatars = {&kTrianglesOption, &kAtlasOption, &kAuthorOption}; // VRM has one level of detail.
+constexpr std::array kAvatarsHave = {&kBonesOption, &kWithHeadOption};
+
 constexpr std::array<ExportFormat, 7> kFormats = {{
     {.id = "hair",
      .suffix = "hair",
      .title = QT_TRANSLATE_NOOP("Export", "Hair curves"),
      .use = QT_TRANSLATE_NOOP("Export", "Strands with width, transparency and colour, small and quickly read."),
      .space = FormatSpace::Target,
-     .write = writeHairFile},
+     .write = writeHairFile,
+     .options = kOfCurves},
     {.id = "usda",
      .suffix = "usda",
      .title = QT_TRANSLATE_NOOP("Export", "USD text"),
      .use = QT_TRANSLATE_NOOP("Export", "Strands and guides for Unreal, Houdini, Maya and Blender 4."),
      .space = FormatSpace::Target,
-     .write = writeUsdFile},
+     .write = writeUsdFile,
+     .options = kOfCurves},
     {.id = "usdz",
      .suffix = "usdz",
      .title = QT_TRANSLATE_NOOP("Export", "USD archive"),
      .use = QT_TRANSLATE_NOOP("Export", "The same as USD text, in one archive."),
      .space = FormatSpace::Target,
-     .write = writeUsdArchive},
+     .write = writeUsdArchive,
+     .options = kOfCurves},
     {.id = "obj",
      .suffix = "obj",
      .title = QT_TRANSLATE_NOOP("Export", "OBJ lines"),
      .use = QT_TRANSLATE_NOOP("Export", "Lines that nearly every program reads; without widths."),
      .space = FormatSpace::TargetUnit,
-     .write = writeObjFile},
+     .write = writeObjFile,
+     .options = kOfCurves},
     {.id = "ribbons",
      .suffix = "glb",
      .title = QT_TRANSLATE_NOOP("Export", "glTF ribbons"),
      .use = QT_TRANSLATE_NOOP("Export", "A flat ribbon a strand, as a mesh for engines and the web. Fewer hairs are "
                                         "wider, so that they cover as much."),
      .space = FormatSpace::Own,
-     .write = writeRibbonFile},
+     .write = writeRibbonFile,
+     .options = kOfCurves},
     {.id = "cards",
      .suffix = "glb",
      .title = QT_TRANSLATE_NOOP("Export", "glTF cards"),
@@ -70,6 +82,12 @@ constexpr std::array<ExportFormat, 7> kFormats = {{
                                         "avatars; further textures lie beside the file."),
      .space = FormatSpace::Own,
      .write = writeCardFile,
+     .flag = kCardsFlag,
+     .flagHelp = QT_TRANSLATE_NOOP("CommandLine", "as .glb: strips along locks of hair, with textures made from the "
+                                                  "hair, instead of a ribbon a hair"),
+     .options = kOfCards,
+     .unasked = kOfCurves, // Cards follow hairs by themselves.
+     .hasFilms = false,
      .hasCards = true},
     {.id = "vrm",
      .suffix = "vrm",
@@ -78,12 +96,14 @@ constexpr std::array<ExportFormat, 7> kFormats = {{
                                         "skeleton; for avatar programs, virtual worlds and the web (VRM 1.0)."),
      .space = FormatSpace::Own,
      .write = writeCardFile,
+     .flag = kCardsFlag,
+     .options = kOfAvatars,
+     .unasked = kOfCurves,
+     .implied = kAvatarsHave,
+     .hasFilms = false,
      .hasCards = true,
      .isAvatar = true},
 }};
-
-/// Of all work, finding the curves.
-constexpr double kMeasured = 0.2;
 
 QString exportText(const char* text)
 {
@@ -129,15 +149,23 @@ ExportSettings ExportFormat::settingsFor(const ExportTarget& target) const
     return settings;
 }
 
-CardSettings ExportFormat::cardsFor(const CardSettings& wanted) const
+bool ExportFormat::takes(const ExportOption& option) const
 {
-    CardSettings cards = wanted;
-    if (isAvatar) {
-        cards.levels = 1; // VRM has none.
-        cards.springBones = true;
-        cards.withHead = true;
-    }
-    return cards;
+    return std::ranges::any_of(std::array{options, unasked, implied}, [&option](ExportOptions some) {
+        return std::ranges::find(some, &option) != some.end();
+    });
+}
+
+ExportRequest ExportFormat::requestFor(const ExportRequest& wanted) const
+{
+    ExportRequest request = wanted;
+    request.format = this;
+    for (const ExportOption* option : exportOptions())
+        if (!takes(*option))
+            option->reset(request);
+    for (const ExportOption* option : implied)
+        request.cards.*std::get<ExportSwitch>(option->kind).field = true;
+    return request;
 }
 
 std::span<const ExportFormat> exportFormats()
@@ -171,25 +199,17 @@ const ExportFormat& cardFormat()
                                  [](const ExportFormat& format) { return format.hasCards && !format.isAvatar; });
 }
 
-Result<void> exportHair(const std::shared_ptr<const sim::StrandFrame>& frame, const ExportRequest& request,
-                        const QString& path, const Progress& progress)
+const std::vector<const ExportOption*>& exportOptions()
 {
-    return withinMemory(path, cannotWrite, [&]() -> Result<void> {
-        const auto part = [&progress](double from, double to) -> Progress {
-            return [&progress, from, to](double done) { return !progress || progress(from + (to - from) * done); };
-        };
-        const std::optional<CurveSet> curves = CurveSet::of(frame, request.curves, part(0.0, kMeasured));
-        if (!curves)
-            return cancelled(path);
-        ExportSettings settings = request.format->settingsFor(*request.target);
-        settings.cards = request.format->cardsFor(request.cards);
-        Q_ASSERT(!request.format->isAvatar || request.avatar != nullptr);
-        if (request.format->isAvatar)
-            settings.avatar = request.avatar;
-        settings.colliders = request.colliders;
-        settings.skinColour = request.skinColour;
-        return request.format->write(*curves, settings, path, part(kMeasured, 1.0));
-    });
+    static const std::vector<const ExportOption*> all = [] {
+        std::vector<const ExportOption*> options;
+        for (const ExportFormat& format : kFormats)
+            for (const ExportOption* option : format.options)
+                if (std::ranges::find(options, option) == options.end())
+                    options.push_back(option);
+        return options;
+    }();
+    return all;
 }
 
 } // namespace hairpaint::model

@@ -1,18 +1,16 @@
 // The table of formats that hair is exported in, and of programs it is exported for. Menus, dialogs and the command
-// line read it; a format more is a row more.
+// line read it: another format is another row.
 #pragma once
 
-#include "model/exporting/avatar.h"
-#include "model/exporting/curve_set.h"
-#include "model/exporting/export_space.h"
-#include "model/values/error.h"
+#include "model/exporting/export_option.h"
+#include "model/exporting/export_request.h"
 
 #include <QString>
 #include <QStringList>
 
 #include <cstdint>
-#include <memory>
 #include <span>
+#include <vector>
 
 namespace hairpaint::model {
 
@@ -48,13 +46,23 @@ struct ExportFormat
     FormatSpace space;
     Result<void> (*write)(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                           const Progress& progress);
-    bool hasCards = false; ///< Made by ExportRequest::cards.
-    bool isAvatar = false; ///< They come with ExportRequest::avatar, on spring bones, in one level.
+    /// Of several with one ending: the option of the command line that asks for this one. Where it is the only one the
+    /// option may be given too.
+    const char* flag = "";
+    const char* flagHelp = "";  ///< To be translated in context "CommandLine"; of the first with that flag.
+    ExportOptions options = {}; ///< What can be chosen, in this order.
+    ExportOptions unasked = {}; ///< What the command line takes besides; the window leaves the defaults.
+    ExportOptions implied = {}; ///< Switches that are on, whatever is wanted.
+    bool hasFilms = true;       ///< Can show a frame of hair in motion.
+    bool hasCards = false;      ///< Made by ExportRequest::cards; they can be looked at before.
+    bool isAvatar = false;      ///< They come with ExportRequest::avatar.
     [[nodiscard]] QString titleText() const;
     [[nodiscard]] QString useText() const;
     [[nodiscard]] ExportSettings settingsFor(const ExportTarget& target) const;
-    /// What of the wishes it can have.
-    [[nodiscard]] CardSettings cardsFor(const CardSettings& wanted) const;
+    /// Whether the option changes what is written, or says what it is anyway.
+    [[nodiscard]] bool takes(const ExportOption& option) const;
+    /// The wishes as this format can have them: at its default what it does not take, on what it implies.
+    [[nodiscard]] ExportRequest requestFor(const ExportRequest& wanted) const;
 };
 
 [[nodiscard]] std::span<const ExportFormat> exportFormats();
@@ -65,19 +73,7 @@ struct ExportFormat
 /// The one with cards alone.
 [[nodiscard]] const ExportFormat& cardFormat();
 
-struct ExportRequest
-{
-    const ExportFormat* format = nullptr;
-    const ExportTarget* target = nullptr;
-    CurveOptions curves{};
-    CardSettings cards{};
-    std::vector<sim::Ellipsoid> colliders{}; ///< See ExportSettings.
-    QRgb skinColour = 0xFF808080;            ///< Likewise.
-    std::shared_ptr<const Avatar> avatar{};  ///< There where the format is one of avatars.
-};
-
-/// Atomic: nothing is written where it fails or `progress`, which never steps back, cancels. Any thread.
-[[nodiscard]] Result<void> exportHair(const std::shared_ptr<const sim::StrandFrame>& frame,
-                                      const ExportRequest& request, const QString& path, const Progress& progress = {});
+/// Those of all formats, each once, in their order.
+[[nodiscard]] const std::vector<const ExportOption*>& exportOptions();
 
 } // namespace hairpaint::model

@@ -22,7 +22,7 @@ constexpr quint32 kTransparencyFlag = 8;
 constexpr quint32 kColoursFlag = 16;
 constexpr std::size_t kHairHeaderBytes = 128;
 constexpr std::size_t kHairTextBytes = 88;
-constexpr std::size_t kHairPointBytes = 32; ///< Place, thickness, transparency, colour.
+constexpr std::size_t kHairPointBytes = 32; ///< Position, thickness, transparency, colour.
 constexpr float kUsualWidthM = 80e-6F;
 static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
 

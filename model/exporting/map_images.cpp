@@ -1,4 +1,4 @@
-// Encoded by the helper program into a folder beside, then put in their places.
+// Encoded by the helper program into a folder beside, then renamed to their targets.
 #include "model/exporting/map_images.h"
 
 #include "model/disk/output_place.h"
@@ -37,6 +37,14 @@ QString fileWord(const QString& name)
 std::span<const MapImageFormat> mapImageFormats()
 {
     return kImageFormats;
+}
+
+QStringList mapImageSuffixes()
+{
+    QStringList suffixes;
+    for (const MapImageFormat& format : mapImageFormats())
+        suffixes += QString::fromLatin1(format.suffix);
+    return suffixes;
 }
 
 const MapImageFormat* findMapImageFormat(const QString& suffix)

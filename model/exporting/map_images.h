@@ -20,6 +20,7 @@ struct MapImageFormat
     bool hasDepths;     ///< 8 or 16 bits a channel; else it has a depth of its own, which loses nothing.
 };
 [[nodiscard]] std::span<const MapImageFormat> mapImageFormats();
+[[nodiscard]] QStringList mapImageSuffixes();
 /// Null where there is none of that suffix.
 [[nodiscard]] const MapImageFormat* findMapImageFormat(const QString& suffix);
 

@@ -31,7 +31,7 @@ StoredEntry::StoredEntry(AtomicFile& file, const QByteArray& name) : m_file(file
 {
     m_record.name = name;
     m_record.padding = paddingAfter(name);
-    m_file.write(localHeader(m_record)); // Its place: its numbers are known at the end.
+    m_file.write(localHeader(m_record)); // Room for it: its numbers are known at the end.
 }
 
 void StoredEntry::write(std::string_view bytes)

@@ -203,7 +203,7 @@ Checked<void> ArchiveReader::readDirectory()
         if ((!stored && stat.comp_method != ZIP_CM_DEFLATE) || stat.encryption_method != ZIP_EM_NONE ||
             stat.comp_size > (1ULL << 32U) || stat.size > plausible)
             return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is packed in an unacceptable way")).arg(name));
-        m_entries.emplace(name, Entry{.index = index, .size = stat.size, .crc = stat.crc, .isStored = stored});
+        m_entries.emplace(name, ListedEntry{.index = index, .size = stat.size, .crc = stat.crc, .isStored = stored});
     }
     return {};
 }
@@ -229,7 +229,7 @@ Checked<QByteArray> ArchiveReader::read(const QString& name, qint64 mostBytes, C
     const auto entry = m_entries.find(name);
     if (entry == m_entries.end())
         return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is missing")).arg(name));
-    const Entry& found = entry->second;
+    const ListedEntry& found = entry->second;
     if (found.size > static_cast<quint64>(mostBytes))
         return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is too large")).arg(name));
     const auto broken = [&name] { return brokenEntry(name); };
@@ -290,7 +290,7 @@ Checked<bool> ArchiveWriter::writeTo(const QString& path, const std::function<bo
         return tl::unexpected(opened.error());
     qint64 at = 0;
     QByteArray directory;
-    for (const Entry& entry : m_entries) {
+    for (const AddedEntry& entry : m_entries) {
         const bool isDeflated = entry.method == Method::Deflated;
         const QByteArray packed = isDeflated ? deflated(entry.bytes) : entry.bytes;
         const ZipRecord record{.name = entry.name,

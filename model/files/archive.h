@@ -42,7 +42,7 @@ public:
     [[nodiscard]] quint32 checksum(const QString& name) const { return m_entries.at(name).crc; }
 
 private:
-    struct Entry
+    struct ListedEntry
     {
         quint64 index = 0;
         quint64 size = 0;
@@ -54,7 +54,7 @@ private:
     Checked<void> readDirectory();
 
     std::unique_ptr<Handle> m_handle;
-    std::map<QString, Entry> m_entries; ///< A QHash ends the program where memory runs out.
+    std::map<QString, ListedEntry> m_entries; ///< A QHash ends the program where memory runs out.
 };
 
 [[nodiscard]] tl::unexpected<Clause> brokenEntry(const QString& name);
@@ -71,18 +71,18 @@ public:
     /// `name`: ASCII; `checksum`: CRC-32 of the bytes, where it is known.
     void add(const QByteArray& name, const QByteArray& bytes, Method method, std::optional<quint32> checksum = {});
     /// Atomic: afterwards `path` holds the archive, or what it held before. Where it `isWanted` no longer when all of
-    /// it lies on the disk, it takes no place and the answer is false.
+    /// it lies on the disk, nothing is replaced and the answer is false.
     [[nodiscard]] Checked<bool> writeTo(const QString& path, const std::function<bool()>& isWanted = {}) const;
 
 private:
-    struct Entry
+    struct AddedEntry
     {
         QByteArray name;
         QByteArray bytes;
         Method method = Method::Stored;
         std::optional<quint32> checksum;
     };
-    std::vector<Entry> m_entries;
+    std::vector<AddedEntry> m_entries;
 };
 
 } // namespace hairpaint::model

@@ -21,9 +21,10 @@ int commonTiles(const sim::TiledRaster& a, const sim::TiledRaster& b)
 
 } // namespace
 
-EncodedLayers::Entry* EncodedLayers::entryOf(const sim::TiledRaster& raster, const std::optional<sim::Texel>& uniform)
+EncodedLayers::KnownLayer* EncodedLayers::entryOf(const sim::TiledRaster& raster,
+                                                  const std::optional<sim::Texel>& uniform)
 {
-    const auto found = std::ranges::find_if(m_entries, [&](const Entry& entry) {
+    const auto found = std::ranges::find_if(m_entries, [&](const KnownLayer& entry) {
         const sim::TiledRaster& known = entry.layer.raster;
         return known.size() == raster.size() && known.channels() == raster.channels() && entry.uniform == uniform &&
                (uniform || commonTiles(known, raster) == raster.tileCount());
@@ -35,7 +36,7 @@ std::optional<PngFile> EncodedLayers::find(const sim::TiledRaster& raster)
 {
     const std::optional<sim::Texel> uniform = raster.uniformValue();
     const std::scoped_lock lock(m_mutex);
-    Entry* entry = entryOf(raster, uniform);
+    KnownLayer* entry = entryOf(raster, uniform);
     if (entry == nullptr) {
         ++m_misses;
         return std::nullopt;
@@ -55,9 +56,9 @@ void EncodedLayers::insert(const sim::TiledRaster& raster, const PngFile& png)
 std::optional<EncodedLayer> EncodedLayers::nearest(const sim::TiledRaster& raster)
 {
     const std::scoped_lock lock(m_mutex);
-    const Entry* best = nullptr;
+    const KnownLayer* best = nullptr;
     int most = 0;
-    for (const Entry& entry : m_entries)
+    for (const KnownLayer& entry : m_entries)
         if (const int count = commonTiles(entry.layer.raster, raster); count > most) {
             best = &entry;
             most = count;
@@ -68,8 +69,8 @@ std::optional<EncodedLayer> EncodedLayers::nearest(const sim::TiledRaster& raste
 void EncodedLayers::dropUnused()
 {
     const std::scoped_lock lock(m_mutex);
-    std::erase_if(m_entries, [](const Entry& entry) { return !entry.used; });
-    for (Entry& entry : m_entries)
+    std::erase_if(m_entries, [](const KnownLayer& entry) { return !entry.used; });
+    for (KnownLayer& entry : m_entries)
         entry.used = false;
 }
 

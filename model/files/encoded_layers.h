@@ -4,12 +4,15 @@
 
 #include "model/files/png_codec.h"
 
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
 
 namespace hairpaint::model {
 
+/// Remembers the encoded bytes of unchanged layers, so that saving again costs what changed. Give the same one to load
+/// and to every save of one document.
 class EncodedLayers
 {
 public:
@@ -25,17 +28,19 @@ public:
     [[nodiscard]] int misses() const { return m_misses; }
 
 private:
-    struct Entry
+    struct KnownLayer
     {
         EncodedLayer layer;
         std::optional<sim::Texel> uniform;
         bool used = true;
     };
-    Entry* entryOf(const sim::TiledRaster& raster, const std::optional<sim::Texel>& uniform);
+    KnownLayer* entryOf(const sim::TiledRaster& raster, const std::optional<sim::Texel>& uniform);
 
     std::mutex m_mutex;
-    std::vector<Entry> m_entries;
+    std::vector<KnownLayer> m_entries;
     int m_misses = 0;
 };
+
+[[nodiscard]] std::shared_ptr<EncodedLayers> makeEncodedLayers();
 
 } // namespace hairpaint::model

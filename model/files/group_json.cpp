@@ -190,7 +190,8 @@ private:
     Layer parseLayer(const QJsonValue& value, const MapSpec& spec)
     {
         Layer layer{.name = {},
-                    .raster = emptyRaster(spec, sim::TiledRaster::kTileSize)}; // Holds its place until it is read.
+                    .raster = emptyRaster(
+                        spec, sim::TiledRaster::kTileSize)}; // Keeps its position in the order until it is read.
         if (!value.isObject())
             complain();
         FieldReader fields(value.toObject(), m_problem);

@@ -228,7 +228,7 @@ std::shared_ptr<const Head> builtInHead()
 
 Checked<std::shared_ptr<const Head>> builtInHead(const QString& name)
 {
-    if (const heads::BuiltInHead* row = heads::builtInHead(name.toStdString()))
+    if (const heads::BuiltInHead* row = heads::findBuiltInHead(name.toStdString()))
         return loaded(*row);
     return refuse(say(QT_TRANSLATE_NOOP("Files", "its head '%1' is not known to this one")).arg(shownPath(name)),
                   Clause::Cure::NewerProgram);
@@ -236,7 +236,7 @@ Checked<std::shared_ptr<const Head>> builtInHead(const QString& name)
 
 std::vector<sim::Ellipsoid> builtInEllipsoids(const QString& name)
 {
-    const heads::BuiltInHead* named = heads::builtInHead(name.toStdString());
+    const heads::BuiltInHead* named = heads::findBuiltInHead(name.toStdString());
     const heads::BuiltInHead* row = named != nullptr ? named : heads::builtInHeads().front();
     return {row->colliders.begin(), row->colliders.end()};
 }

@@ -22,7 +22,7 @@ struct HelperAnswer
     wire::Bytes body;
 };
 
-/// `progress` is asked about every 50 ms; the share it is told is that of the answer's bytes received.
+/// `progress` is asked about every 50 ms; it is told the fraction of the answer's bytes received.
 [[nodiscard]] tl::expected<HelperAnswer, HelperFailure> runHelper(const QString& program, const wire::Bytes& request,
                                                                   int timeoutMs, const Progress& progress);
 

@@ -34,8 +34,8 @@ struct ImageLayer
 /// For the paint area: texels of `rect` as ARGB32 in the scale that is shown, on night paper or white.
 void paintMapTexels(const sim::TiledRaster& resolved, const MapSpec& spec, bool nightPaper, const sim::TexelRect& rect,
                     QRgb* pixels, int stride);
-/// The same of every `apart`-th texel each way, in the middle of those it stands for. `apart`: a power of two, at most
-/// a raster tile's side; `rect` is a multiple of it.
+/// The same of every `apart`-th texel along both axes, in the middle of those it stands for. `apart`: a power of two,
+/// at most a raster tile's side; `rect` is a multiple of it.
 void paintMapSamples(const sim::TiledRaster& resolved, const MapSpec& spec, bool nightPaper, const sim::TexelRect& rect,
                      int apart, QRgb* pixels, int stride);
 

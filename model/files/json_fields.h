@@ -1,5 +1,5 @@
 // One description of an object's keys serves reading and writing: a function template visits each field with a
-// FieldReader or a FieldWriter, and so the ranges stand in one place.
+// FieldReader or a FieldWriter, and so the ranges are stated once.
 // Rules of hairpaint_format.md: an absent key leaves the value, a wrong type is a problem, a number outside its range
 // moves to the nearest end.
 #pragma once

@@ -29,8 +29,9 @@ public:
     PngBands(const PngBands&) = delete;
     PngBands& operator=(const PngBands&) = delete;
 
-    /// The next band: whole rows, each with its filter's number before it; to be changed in place, good until the next
-    /// call. Empty after the last one, and where what follows is no such band: then the image must be read as a stream.
+    /// The next band: whole rows, each with its filter's number before it; may be changed by the caller, valid until
+    /// the next call. Empty after the last one, and where what follows is no such band: then the image must be read as
+    /// a stream.
     [[nodiscard]] std::span<std::uint8_t> next();
     /// Whether the last band was taken and all of them had the stream's checksum.
     [[nodiscard]] bool atEnd() const { return m_atEnd; }

@@ -11,10 +11,7 @@
 #include <functional>
 
 namespace hairpaint::model {
-/// Remembers the encoded bytes of unchanged layers, so that saving again costs what changed. Give the same one to load
-/// and to every save of one document.
 class EncodedLayers;
-[[nodiscard]] std::shared_ptr<EncodedLayers> makeEncodedLayers();
 
 /// Any thread. Runs no foreign decoder. A file that is missing, truncated, foreign, hostile or oversized gives an
 /// error.

@@ -22,7 +22,7 @@ constexpr int kMapSize = 1024;
 constexpr float kReachM = 0.004F;
 constexpr QRgb kBrown = 0xFF33241B;
 
-/// What grows at a place of the skin, each 0..1.
+/// What grows at a point of the skin, each 0..1.
 struct Growth
 {
     float density = 0.0F;
@@ -33,7 +33,7 @@ struct FaceGroup
 {
     const char* kind; ///< A HairKind's name.
     int mapSize;
-    /// Roughly how far within the region a place is, m; nothing grows further out than kReachM.
+    /// Roughly how far within the region a point is, m; nothing grows further out than kReachM.
     float (*inside)(const heads::HeadRegions& regions, const glm::vec3& place);
     Growth (*at)(const heads::HeadRegions& regions, const glm::vec3& place);
 };

@@ -16,7 +16,7 @@ namespace hairpaint::model {
 [[nodiscard]] std::optional<std::vector<HairGroup>> faceHair(const std::shared_ptr<const Head>& head,
                                                              const Progress& progress = {});
 
-/// A group of hair that grows at a place of its own, such as a beard or the scalp, painted there in the same way. Its
+/// A group of hair that grows in a region of its own, such as a beard or the scalp, painted there likewise. Its
 /// ids are nobody's yet. None for other kinds, where it is not known on that head, and where progress stops it. Any
 /// thread; some 100 ms.
 [[nodiscard]] std::optional<HairGroup> grownHair(const HairKind& kind, const std::shared_ptr<const Head>& head,

@@ -12,7 +12,7 @@ std::span<const BuiltInHead* const> builtInHeads()
     return heads;
 }
 
-const BuiltInHead* builtInHead(std::string_view name)
+const BuiltInHead* findBuiltInHead(std::string_view name)
 {
     const std::span<const BuiltInHead* const> heads = builtInHeads();
     const auto found = std::ranges::find(heads, name, &BuiltInHead::name);

@@ -29,7 +29,7 @@ struct BuiltInHead
 [[nodiscard]] std::span<const BuiltInHead* const> builtInHeads();
 
 /// Null for a name that none of them has.
-[[nodiscard]] const BuiltInHead* builtInHead(std::string_view name);
+[[nodiscard]] const BuiltInHead* findBuiltInHead(std::string_view name);
 
 /// The rows.
 [[nodiscard]] const BuiltInHead& bust1();

@@ -38,8 +38,8 @@ public:
     [[nodiscard]] float scalpDistance(const glm::vec3& p) const;
     /// Both eyebrows.
     [[nodiscard]] float browDistance(const glm::vec3& p) const;
-    /// From where the lids meet, never negative; `along` gets the nearest place there, 0 (inner corner) to 1. Far from
-    /// everything where the head's lids are not known.
+    /// From where the lids meet, never negative; `along` gets the nearest position there, 0 (inner corner) to 1. Far
+    /// from everything where the head's lids are not known.
     [[nodiscard]] float lashDistance(const glm::vec3& p, float* along = nullptr) const;
     /// Cheeks below the sideburns, moustache, chin, under the jaw; lips are outside.
     [[nodiscard]] float beardDistance(const glm::vec3& p) const;

@@ -1,4 +1,4 @@
-// Limits of a skeleton, names of joints, and places from parent to child.
+// Limits of a skeleton, names of joints, and transforms from parent to child.
 #include "model/heads/head_skeleton.h"
 
 #include "sim/skin/head_limits.h"

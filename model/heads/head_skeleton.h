@@ -28,7 +28,7 @@ struct HeadJoint
 {
     std::string name;               ///< UTF-8, see isJointName.
     int parent = -1;                ///< An earlier joint; none for the first alone.
-    glm::vec3 translation{0.0F};    ///< From the parent's place, in its frame.
+    glm::vec3 translation{0.0F};    ///< From the parent's origin, in its frame.
     glm::quat rotation{1, 0, 0, 0}; ///< Of unit length, likewise.
     friend bool operator==(const HeadJoint&, const HeadJoint&) = default;
 };
@@ -44,7 +44,7 @@ struct HeadSkeleton
     friend bool operator==(const HeadSkeleton&, const HeadSkeleton&) = default;
 };
 
-/// A joint's place and frame, seen from the mesh's origin.
+/// A joint's position and frame, seen from the mesh's origin.
 struct JointPlace
 {
     glm::vec3 position{0.0F};

@@ -16,7 +16,7 @@ public:
     /// The axis is where a closed curve's flat map is centred; it lies inside the region and has x = 0.
     SkinCurve(const glm::vec3& centre, const glm::vec3& axis, std::span<const glm::vec3> marks);
 
-    /// Metres along the skin, never negative. `along` gets the nearest place on the curve, 0 to 1.
+    /// Metres along the skin, never negative. `along` gets the nearest position on the curve, 0 to 1.
     [[nodiscard]] float distance(const glm::vec3& p, float* along = nullptr) const;
     /// For a curve that starts and ends in the middle: the side on which the axis lies is positive.
     [[nodiscard]] float signedDistance(const glm::vec3& p) const;

@@ -1,5 +1,5 @@
 // Bundles are found by their tips. The mean over a bundle's strands, at the same distance from their tips, is its
-// skeleton; how a strand's place across the skeleton changes along it tells the kind of braid, and how far off the
+// skeleton; how a strand's offset from the skeleton changes along it tells the kind of braid, and how far off the
 // strands are its radius.
 #include "model/importing/braid_estimate.h"
 
@@ -73,7 +73,7 @@ struct Braid
     std::vector<std::uint32_t> strands = {};
 };
 
-/// The places of some strands at even distances from their tips.
+/// The positions of some strands at even distances from their tips.
 class Bundle
 {
 public:

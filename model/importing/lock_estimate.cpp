@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kMostAsked = 3000;
 constexpr std::size_t kMostRanks = 256;          ///< Neighbours of each.
-constexpr std::size_t kMostLookedThrough = 8192; ///< All of them may stand in one place.
+constexpr std::size_t kMostLookedThrough = 8192; ///< All of them may have one root.
 constexpr std::size_t kBins = 8;                 ///< Neighbours 1, 2 to 3, 4 to 7, and so on.
 constexpr float kLeastAgreement = 0.2F;
 constexpr double kSurelyTogether =

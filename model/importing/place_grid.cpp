@@ -1,4 +1,4 @@
-// Places counted by cube, then sorted into them.
+// Positions counted by cube, then sorted into them.
 #include "model/importing/place_grid.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Finds places near a place.
+// Finds positions near a position.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,15 +9,15 @@
 
 namespace hairpaint::model {
 
-/// Places sorted into cubes. Keeps no reference to them: every call is given those that it was made of. Immutable; any
-/// thread.
+/// Positions sorted into cubes. Keeps no reference to them: every call is given those that it was made of. Immutable;
+/// any thread.
 class PlaceGrid
 {
 public:
     PlaceGrid(std::span<const glm::vec3> places, float cellM);
 
-    /// Calls `use(index)` for the places in the cubes that a ball touches, in an order that is always the same, until
-    /// it returns false.
+    /// Calls `use(index)` for the positions in the cubes that a ball touches, in an order that is always the same,
+    /// until it returns false.
     template<typename Use>
     void near(const glm::vec3& middle, float radiusM, const Use& use) const
     {

@@ -87,7 +87,7 @@ glm::vec3 rootWay(std::span<const glm::vec3> axisHd, float lengthM, const glm::v
 struct Followed
 {
     std::vector<SkinWay> ways;
-    std::optional<float> heightM; ///< Over the skin, where it has risen to its place in the coat.
+    std::optional<float> heightM; ///< Over the skin, where it has risen to its height in the coat.
 };
 
 /// Where a strand lies on skin, step by step, until it leaves it.

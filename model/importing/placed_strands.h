@@ -23,7 +23,7 @@ struct CurvePlacement
     [[nodiscard]] glm::vec3 toHd(const glm::vec3& point) const { return rotation * point * scaleM + offsetHd; }
 };
 
-/// How hair runs over a place of the skin.
+/// How hair runs over a point of the skin.
 struct SkinWay
 {
     glm::vec3 placeHd{0.0F};
@@ -33,7 +33,7 @@ struct SkinWay
 
 struct PlacedStrand
 {
-    SkinWay root; ///< The way is that to the place 2 cm along, of short hair a third along.
+    SkinWay root; ///< Its direction is that to the point 2 cm along, of short hair a third along.
     StrandShape shape;
     std::uint32_t points = 2;                    ///< It was told with.
     StrandLook look;                             ///< Widths in m.

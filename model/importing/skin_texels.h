@@ -1,4 +1,4 @@
-// The texels of a map that lie on the skin, as places there.
+// The texels of a map that lie on the skin, as positions there.
 #pragma once
 
 #include "model/importing/place_grid.h"

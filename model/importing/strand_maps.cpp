@@ -200,7 +200,7 @@ private:
     void writeGel(HairGroup& group) const
     {
         constexpr float kGelOfHeld = 0.92F;
-        constexpr float kMostStand = 0.5F; ///< Of the hairs of a place, where it is held.
+        constexpr float kMostStand = 0.5F; ///< Of the hairs at a texel, where it is held.
         constexpr double kFewHeld = 0.02;  ///< Of all hairs: single ones that stand by chance need no gel.
         double held = 0.0;
         double all = 0.0;

@@ -67,7 +67,7 @@ void spaceEvenly(std::span<const glm::vec3> points, StrandScratch& scratch)
     }
 }
 
-/// Mean of the strand over `windowM` around a place.
+/// Mean of the strand over `windowM` around a point.
 glm::vec3 meanAround(const StrandScratch& scratch, float atM, float windowM)
 {
     const auto last = static_cast<double>(scratch.evenHd.size() - 1);

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kNeighboursCounted = 8; ///< By which it is found how far apart strands stand.
 constexpr float kFurthestApartM = 0.03F;
 constexpr std::array kLookedAroundM{0.003F, 0.006F, 0.012F, 0.024F, 0.048F, 0.096F};
-constexpr std::size_t kMostLookedAt = 512; ///< All of them may stand in one place.
+constexpr std::size_t kMostLookedAt = 512; ///< All of them may have one root.
 
 } // namespace
 

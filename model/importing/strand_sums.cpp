@@ -3,6 +3,7 @@
 
 #include "model/importing/strand_spacing.h"
 #include "sim/groom/direction_texel.h"
+#include "sim/groom/strand_style.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ float curlOf(float turns)
     return high < 1e-4F ? 0.0F : high;
 }
 
-/// Texels around a place on the skin and what they weigh there.
+/// Texels around a point on the skin and their weights there.
 class TexelsAround
 {
 public:

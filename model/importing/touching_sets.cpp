@@ -1,4 +1,4 @@
-// A flood through cells that hold places.
+// A flood fill through cells that hold positions.
 #include "model/importing/touching_sets.h"
 
 #include <map>

@@ -15,8 +15,8 @@ namespace hairpaint::model {
 inline constexpr std::size_t kMostRecoveredBytes = kMostHeldBytes + kMostHeldBytes / 4;
 
 /// The steps of the history that the journal's last whole state is one of. None where nothing was appended since the
-/// project was saved, and for a file of another version. A file that ends anywhere, or is damaged from some place on,
-/// gives what stands before that place; where it stands for more than `mostBytes`, steps far from the last one are left
+/// project was saved, and for a file of another version. A file that ends anywhere, or is damaged from some byte on,
+/// gives what stands before that byte; where it stands for more than `mostBytes`, steps far from the last one are left
 /// out. Only an ordinary file is read, not one behind a link. Any thread; a cancelled or unreadable one
 /// gives an error.
 [[nodiscard]] Result<std::optional<RecoveredWork>> readJournal(const OwnFolder& folder, const QString& name,

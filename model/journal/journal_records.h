@@ -1,5 +1,5 @@
 // The records of a journal's file: appended one after the other, each with its length and checksum, so that whatever
-// stands before the place where a crash cut the file is whole.
+// stands before the byte at which a crash cut the file is whole.
 #pragma once
 
 #include <QByteArray>

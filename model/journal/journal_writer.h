@@ -47,7 +47,7 @@ public:
     [[nodiscard]] std::deque<JournalState> takeStates() { return std::move(m_states); }
 
     [[nodiscard]] bool isClean() const { return m_clean; }
-    /// Nobody has removed the file that it writes, or put another in its place.
+    /// Nobody has removed the file that it writes, or replaced it.
     [[nodiscard]] bool isInPlace() const;
     [[nodiscard]] qint64 bytesInFile() const { return m_bytes; }
 
@@ -67,7 +67,7 @@ private:
     [[nodiscard]] QByteArray tableOf(const Layer& layer, QByteArray& records);
     [[nodiscard]] Checked<void> put(QFile& file, QByteArrayView bytes);
     void forget();
-    [[nodiscard]] QString besideName() const; ///< Of a file that is to take the journal's place.
+    [[nodiscard]] QString besideName() const; ///< Of a file that is to replace the journal.
 
     std::shared_ptr<const OwnFolder> m_folder; ///< Null where there was none.
     QString m_name;

@@ -35,7 +35,7 @@ public:
     void updateTiles(const Project& project, const LayerAddress& address, std::span<const int> tiles);
     /// Does at once what is under way. Returns the maps that differ.
     ResolvedMaps::Addresses finish();
-    /// Puts other maps in place of these; what is under way is dropped.
+    /// Replaces the maps; what is under way is dropped.
     void replace(ResolvedMaps maps);
 
 private:

@@ -42,7 +42,4 @@ struct Change
     bool preview = false;        ///< Not committed yet, or a preview taken back.
 };
 
-/// Whether telling of `told` tells all that `change` says.
-[[nodiscard]] bool covers(const Change& told, const Change& change);
-
 } // namespace hairpaint::model

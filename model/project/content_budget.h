@@ -23,7 +23,7 @@ enum class ContentExcess : std::uint8_t
 
 /// What keeps these groups from being saved. Layers that are painted in count as differing.
 [[nodiscard]] ContentExcess excessOf(const std::vector<HairGroup>& groups);
-/// What keeps `after` from taking the place of `before`: where that is too large already, making it smaller step by
+/// What keeps `after` from replacing `before`: where that is too large already, making it smaller step by
 /// step must be possible, so what is too much may be as much as it was.
 [[nodiscard]] ContentExcess excessOver(const std::vector<HairGroup>& before, const std::vector<HairGroup>& after);
 /// Whether there are too many groups or layers.

@@ -1,7 +1,7 @@
 // Units and ranges of the scalar maps.
 #include "model/project/map_scale.h"
 
-#include "sim/groom/groom.h"
+#include "sim/groom/strand_style.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -22,14 +22,14 @@ constexpr auto kMendedFormat = "hairpaint project";
 /// Of project.json, in the order in which they are written; without the head, the groups and what is found anew.
 constexpr std::array kRootKeys = {"background", "ellipsoids", "light", "max_hairs", "seed", "skin", "wind"};
 
-/// A place in the text before which all is whole, and the brackets that are open there.
+/// A position in the text before which all is whole, and the brackets that are open there.
 struct SafePlace
 {
     qsizetype at = 0;
     QByteArray closing; ///< The last one first.
 };
 
-/// The last such places before `end`, the latest first.
+/// The last such positions before `end`, the latest first.
 std::vector<SafePlace> safePlaces(const QByteArray& json, qsizetype end)
 {
     constexpr std::size_t kMost = 64;

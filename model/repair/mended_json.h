@@ -11,11 +11,11 @@
 
 namespace hairpaint::model {
 
-/// The object with what stands before the first place where the text is no JSON; empty where that is nothing.
+/// The object with what stands before the first character at which the text is no JSON; empty where that is nothing.
 struct CutJson
 {
     QJsonObject root;
-    bool isWhole = false; ///< There is no such place.
+    bool isWhole = false; ///< There is no such character.
 };
 [[nodiscard]] CutJson jsonAsFarAsItGoes(const QByteArray& json);
 

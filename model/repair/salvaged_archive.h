@@ -42,14 +42,14 @@ private:
         qint64 bytes = 0;
         quint32 checksum = 0;
         bool deflated = false;
-        int witnesses = 1; ///< Headers that place an entry of that name there.
+        int witnesses = 1; ///< Headers that give this offset for an entry of that name.
     };
     [[nodiscard]] Checked<void> findHeaders(const std::function<bool()>& goesOn);
     void readLocal(qint64 at);
     void readCentral(qint64 at);
     void add(const QByteArray& name, const Record& record);
     [[nodiscard]] QByteArray bytesAt(qint64 at, qint64 count);
-    /// Where the header after that place lies, or the file ends.
+    /// Where the header after that offset lies, or the file ends.
     [[nodiscard]] qint64 endOf(qint64 at) const;
     [[nodiscard]] Content contentOf(const Record& record, qint64 mostBytes);
 

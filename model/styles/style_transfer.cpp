@@ -17,7 +17,7 @@ namespace {
 /// Beyond the islands' borders, so that nothing of the default bleeds in where hair is sampled between texels.
 constexpr int kGutter = 2;
 constexpr int kFieldSide = sim::TiledRaster::kTileSize + 2 * kGutter;
-/// A place on both layouts.
+/// Corresponding uv on both layouts.
 struct UvPair
 {
     glm::vec2 from, to;
@@ -45,7 +45,7 @@ UvField fieldOf(const UvCorrespondence& correspondence, const sim::TexelRect& ti
     return field;
 }
 
-/// Texels off the skin get the place of a neighbour on it.
+/// Texels off the skin get the uv of a neighbour on it.
 void widen(UvField& field)
 {
     constexpr std::array<glm::ivec2, 8> kAround = {

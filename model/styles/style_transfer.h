@@ -15,7 +15,7 @@ namespace hairpaint::model {
 /// maps are taken as they lie.
 [[nodiscard]] bool canCarry(const std::shared_ptr<const Head>& from, const std::shared_ptr<const Head>& to);
 
-/// The groups as they look on another head: every layer of every map lies at the corresponding place of its layout
+/// The groups as they look on another head: every layer of every map lies at the corresponding uv of its layout
 /// (UvCorrespondence), with its names, opacities and sizes; a map of one value stays so. Directions are told in the new
 /// head's frames. Numbers that count on the scalp count as many there. None where progress stops it. Unchanged where
 /// the style can't be carried. Any thread.

@@ -73,7 +73,7 @@ std::vector<Counterpart> counterparts(const Project& project, const Preset& pres
     return all;
 }
 
-/// A place that hair grows at, other than those users name themselves.
+/// A region that hair grows in, other than those users name themselves.
 bool isKnownKind(const QString& name)
 {
     return !name.isEmpty() &&

@@ -84,7 +84,7 @@ std::optional<glm::vec2> UvCorrespondence::at(glm::vec2 uvOfTo) const
     }
     if (fraction == glm::vec2(0.0F))
         return isSkin(uvs[0]) ? std::optional(uvs[0]) : std::nullopt;
-    // Between the table's places only where the other layout goes on evenly; across its seams places are measured.
+    // Between the table's samples only where the other layout goes on evenly; across its seams points are measured.
     const float apart = kFarthestTexels / static_cast<float>(m_size);
     const bool even =
         std::ranges::all_of(uvs, [&](glm::vec2 uv) { return isSkin(uv) && glm::distance(uv, uvs[0]) < apart; });
@@ -121,7 +121,7 @@ std::optional<glm::vec2> UvCorrespondence::measured(glm::vec2 uvOfTo) const
     const std::optional<sim::SurfacePoint> point = m_to->skin->atUv(uvOfTo);
     if (!point)
         return std::nullopt;
-    // Landmarks that nearly coincide may throw places far out, where looking for the nearest takes long.
+    // Landmarks that nearly coincide may throw points far out, where looking for the nearest takes long.
     const glm::vec3 place =
         glm::clamp(m_warp(point->positionHd), m_bounds.least - m_bounds.size(), m_bounds.greatest + m_bounds.size());
     return glm::max(m_from->skin->nearest(place).uv, glm::vec2(0.0F));

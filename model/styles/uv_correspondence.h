@@ -12,8 +12,8 @@
 
 namespace hairpaint::model {
 
-/// For each place of one head's layout, the uv of the same place on another head: the nearest there, once both are
-/// brought together by their landmarks (sim::HeadWarp). Immutable; any thread.
+/// For each uv of one head's layout, the uv of the corresponding point on another head: the nearest there, once both
+/// are brought together by their landmarks (sim::HeadWarp). Immutable; any thread.
 class UvCorrespondence
 {
 public:
@@ -40,7 +40,7 @@ private:
 
     std::shared_ptr<const Head> m_from;
     std::shared_ptr<const Head> m_to;
-    sim::HeadWarp m_warp;     ///< Places on `to` to those on `from`.
+    sim::HeadWarp m_warp;     ///< Positions on `to` to those on `from`.
     sim::MeshBounds m_bounds; ///< Of `from`.
     int m_size;
     std::vector<glm::vec2> m_uvs; ///< [row][column] at texel centres, row 0 at v = 1; x < 0 where there is no skin.

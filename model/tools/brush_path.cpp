@@ -1,4 +1,4 @@
-// Starts, jumps and places of a brush's path.
+// Starts, jumps and dab positions of a brush's path.
 #include "model/tools/brush_path.h"
 
 namespace hairpaint::model {

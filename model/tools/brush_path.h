@@ -1,4 +1,4 @@
-// The path of a brush over the skin, from pointer events to evenly spaced places for dabs.
+// The path of a brush over the skin, from pointer events to evenly spaced positions of dabs.
 #pragma once
 
 #include "model/tools/dab_shape.h"
@@ -20,19 +20,19 @@ struct BrushSample
 };
 
 /// Steps along the straight lines between events in uv, measured on the skin with the metric of the last sample; so
-/// however a line is cut into events, the places are the same. On the 3D head a line that jumps in uv (across a seam)
-/// is walked on the skin instead, and one that jumps on the skin too starts anew.
+/// however a line is cut into events, the positions are the same. On the 3D head a line that jumps in uv (across a
+/// seam) is walked on the skin instead, and one that jumps on the skin too starts anew.
 class BrushPath
 {
 public:
-    /// `skin` may be null: then uv units count as 0.5 m. Places are never nearer than `leastStepUv`, however stretched
-    /// the layout is.
+    /// `skin` may be null: then uv units count as 0.5 m. Positions are never nearer than `leastStepUv`, however
+    /// stretched the layout is.
     BrushPath(const sim::Skin* skin, float spacingM, float leastStepUv);
 
     /// The spacing after the next sample; brushes that shrink with pressure step more finely.
     void setSpacing(float spacingM) { m_spacingM = spacingM; }
 
-    /// Appends the places reached by the event; the first event gives one at once.
+    /// Appends the positions reached by the event; the first event gives one at once.
     /// `onSample` sees each sample as it is made and may set the spacing.
     template<typename OnSample>
     void moveTo(const ToolEvent& event, const OnSample& onSample)
@@ -121,7 +121,7 @@ private:
     float m_leastStepUv;
     std::optional<Cursor> m_cursor; ///< Where the path ends.
     BrushSample m_last;             ///< The last dab's sample; its metric is the average at first.
-    float m_carriedM = 0.0F;        ///< Way made since the last sample.
+    float m_carriedM = 0.0F;        ///< Distance covered since the last sample.
 };
 
 } // namespace hairpaint::model

@@ -3,7 +3,7 @@
 #include "model/tools/brush_path.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirror.h"
-#include "model/tools/picker.h"
+#include "model/tools/picker_tool.h"
 #include "model/tools/tool_list.h"
 
 #include <algorithm>

@@ -35,7 +35,7 @@ struct Clip
 /// Clears the selected texels' coverage. "Cut Length", "Clear Length".
 [[nodiscard]] CommandPtr clearCommand(Document& document, const LayerAddress& address, const Selection& selection,
                                       const QString& text);
-/// Pastes at the clip's own place, or centred in the selection and only inside it. On a map of its kind
+/// Pastes at the clip's own position, or centred in the selection and only inside it. On a map of its kind
 /// amounts stay (15 cm), whatever range that one has. Between maps: scalar to scalar keeps the value; other pairs go
 /// through the colours that the images have.
 [[nodiscard]] CommandPtr pasteCommand(Document& document, const LayerAddress& address, const Clip& clip,

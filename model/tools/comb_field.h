@@ -11,8 +11,8 @@
 
 namespace hairpaint::model {
 
-/// Of each texel that a dab reached, the way that the stroke laid it: later dabs and those nearer to it count for more,
-/// so that neither a bend nor a turning back leaves an edge. The masks are a StrokeBuffer's.
+/// For each texel that a dab reached, the direction in which the stroke laid its hair: later dabs and those nearer to
+/// it count for more, so that neither a bend nor a turning back leaves an edge. The masks are a StrokeBuffer's.
 class CombField
 {
 public:

@@ -6,7 +6,7 @@
 #include "model/tools/fallen_hair.h"
 #include "model/tools/hold_stroke.h"
 #include "model/tools/live_edit.h"
-#include "model/tools/picker.h"
+#include "model/tools/picker_tool.h"
 #include "model/tools/skin_frames.h"
 #include "model/tools/tool_list.h"
 #include "model/tools/whorl.h"
@@ -22,12 +22,12 @@ namespace hairpaint::model {
 namespace {
 
 constexpr std::array kCombKinds{
-    ToolChoice::Entry{"comb", QT_TRANSLATE_NOOP("ToolOptions", "Comb along the stroke")},
-    ToolChoice::Entry{"comb-lift", QT_TRANSLATE_NOOP("ToolOptions", "Lift or lay, the way hair lies")},
-    ToolChoice::Entry{"comb-smooth", QT_TRANSLATE_NOOP("ToolOptions", "Smooth")},
-    ToolChoice::Entry{"comb-noise", QT_TRANSLATE_NOOP("ToolOptions", "Ruffle")},
-    ToolChoice::Entry{"comb-whorl", QT_TRANSLATE_NOOP("ToolOptions", "Whorl: a spiral around the pointer")},
-    ToolChoice::Entry{"comb-hold", QT_TRANSLATE_NOOP("ToolOptions", "Hold as it lies now, with gel")},
+    ToolChoice::Item{"comb", QT_TRANSLATE_NOOP("ToolOptions", "Comb along the stroke")},
+    ToolChoice::Item{"comb-lift", QT_TRANSLATE_NOOP("ToolOptions", "Lift or lay, the way hair lies")},
+    ToolChoice::Item{"comb-smooth", QT_TRANSLATE_NOOP("ToolOptions", "Smooth")},
+    ToolChoice::Item{"comb-noise", QT_TRANSLATE_NOOP("ToolOptions", "Ruffle")},
+    ToolChoice::Item{"comb-whorl", QT_TRANSLATE_NOOP("ToolOptions", "Whorl: a spiral around the pointer")},
+    ToolChoice::Item{"comb-hold", QT_TRANSLATE_NOOP("ToolOptions", "Hold as it lies now, with gel")},
 };
 constexpr ToolOption kCombKind{
     .key = "comb",
@@ -65,14 +65,14 @@ constexpr float kCombSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
 constexpr float kCombLeastStepTx = 0.5F;
 constexpr float kSmoothing = 0.25F; ///< Of the diameter: the way over which the direction follows the pointer.
 constexpr float kLeastSmoothingM = 0.002F;
-constexpr float kJumpM = 0.03F;             ///< Places further apart than this, and than the dabs, are no motion.
+constexpr float kJumpM = 0.03F;             ///< Points further apart than this, and than the dabs, are no motion.
 constexpr float kSmoothReach = 0.2F;        ///< Of the diameter: from where neighbours are taken.
 constexpr float kRuffleRad = 0.9F;          ///< Noise turns by at most this,
 constexpr float kRuffleLength = 0.25F;      ///< and changes the length by at most this.
-constexpr float kRuffleCells = 512.0F;      ///< Places of noise along the layout's side.
+constexpr float kRuffleCells = 512.0F;      ///< Cells of noise along the layout's side.
 const glm::vec3 kAcross(-1.0F, 1.0F, 1.0F); ///< Reflects Hd.
 
-/// -1..1, the same for the same place.
+/// -1..1, the same for the same uv.
 float noiseAt(int x, int y, std::uint32_t salt)
 {
     std::uint32_t h =
@@ -154,15 +154,15 @@ private:
     void drop();
 
     LiveEdit m_edit;
-    HoldStroke m_hold; ///< Runs in place of it.
+    HoldStroke m_hold; ///< Runs instead of it.
     std::optional<StrokeBuffer> m_masks;
     std::optional<CombField> m_field;
     std::optional<BrushPath> m_path;
     std::unique_ptr<SkinFrames> m_frames;  ///< Kept from stroke to stroke.
     std::optional<FallenHair> m_before;    ///< How hair lay when the stroke began.
     std::optional<ToolEvent> m_last;       ///< Where the next straight line starts; kept between strokes.
-    std::optional<BrushSample> m_previous; ///< The last place that lay on the skin.
-    bool m_waits = false;                  ///< That place has no dab yet: it is not known where it goes.
+    std::optional<BrushSample> m_previous; ///< The last point that lay on the skin.
+    bool m_waits = false;                  ///< That point has no dab yet: its direction is not known.
     std::optional<glm::vec3> m_strokeHd;   ///< Unit: where the pointer goes, smoothed.
     glm::vec2 m_reachUv{0.0F};             ///< Of the dab that is laid.
     std::uint16_t m_opacity = 65535;
@@ -299,7 +299,7 @@ glm::vec2 CombTool::uvOf(int x, int y) const
     return {(static_cast<float>(x) + 0.5F) / size, 1.0F - (static_cast<float>(y) + 0.5F) / size};
 }
 
-/// The first place waits until the second says where the stroke goes.
+/// The first point waits until the second tells the stroke's direction.
 void CombTool::follow(const BrushSample& sample, const ToolContext& context)
 {
     if (!sample.point)

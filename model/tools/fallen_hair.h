@@ -11,15 +11,15 @@
 namespace hairpaint::model {
 
 /// Long hair that nobody has combed falls to its side, whatever the natural stream under it. A comb's soft edge must
-/// lead from there to what the comb lays, or hair at the edge would go the way that it grows: over the face. As the
-/// maps were when this was made. One thread, but for under().
+/// lead from there to what the comb lays, or hair at the edge would lie in the direction in which it grows: over the
+/// face. As the maps were when this was made. One thread, but for under().
 class FallenHair
 {
 public:
     /// Of the target's group. `size`: of the direction map. Both must outlive it.
     FallenHair(const ToolContext& context, SkinFrames& frames, int size);
 
-    /// The direction in which hair lies there, in the place's frame.
+    /// The direction in which hair lies there, in the frame of that point of the skin.
     [[nodiscard]] glm::vec2 at(glm::vec2 uv);
     /// Makes a tile ready for under().
     void look(int tileIndex);

@@ -2,7 +2,7 @@
 #include "model/maps/compositor.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirror.h"
-#include "model/tools/picker.h"
+#include "model/tools/picker_tool.h"
 #include "model/tools/tool_list.h"
 #include "model/tools/uv_cover.h"
 
@@ -147,7 +147,7 @@ private:
         show(filled, {.value = value, .opacity = unit16(context.settings.opacity)}, twin, near.grown(kBleedTx));
     }
 
-    /// `twin`: in place of the paint's value outside of `near`, where it is another.
+    /// `twin`: instead of the paint's value outside of `near`, where it is another.
     void show(const TexelMask& filled, TilePaint paint, const sim::Texel& twin, const TexelMask& near)
     {
         std::vector<int> tiles = tilesIn(m_edit.before(), m_edit.clips());

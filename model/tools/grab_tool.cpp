@@ -4,7 +4,7 @@
 #include "model/tools/dab_shape.h"
 #include "model/tools/fallen_hair.h"
 #include "model/tools/live_edit.h"
-#include "model/tools/picker.h"
+#include "model/tools/picker_tool.h"
 #include "model/tools/skin_frames.h"
 #include "model/tools/tool_list.h"
 #include "model/values/texel_math.h"
@@ -32,7 +32,7 @@ constexpr float kSameWay = 0.5F;                   ///< Cosine: hair that lies s
 constexpr float kOtherWay = 0.1F;                  ///< and hair that lies so stays.
 const glm::vec3 kOverTheMiddle(-1.0F, 1.0F, 1.0F); ///< Reflects Hd.
 
-/// One place of the skin whose hair goes along, and the way in which it goes.
+/// One point of the skin whose hair is pulled along, and the direction that it gets.
 struct Held
 {
     sim::SurfacePoint root;
@@ -126,7 +126,7 @@ private:
     std::unique_ptr<SkinFrames> m_frames;                ///< Kept from drag to drag.
     std::optional<FallenHair> m_before;                  ///< How hair lay when the drag began.
     glm::vec3 m_startHd{0.0F};
-    float m_alongM = 0.0F; ///< Of the place that was taken hold of, from the root; 0 in the paint area.
+    float m_alongM = 0.0F; ///< Of the point that was grabbed, from the root; 0 in the paint area.
     bool m_moved = false;
 };
 
@@ -246,7 +246,7 @@ glm::vec3 GrabTool::lyingHd(glm::vec2 uv, const sim::SkinFrame& frame)
     return frame.toHd(inPlane) + frame.normal * up;
 }
 
-/// 1 where hair lies as that which is held, 0 where it lies elsewhere, as beyond a parting. Found once for each place
+/// 1 where hair lies as that which is held, 0 where it lies elsewhere, as beyond a parting. Found once for each sample
 /// of the frames' table. `place`: from the layout's upper left.
 float GrabTool::agreement(Held& held, glm::vec2 place)
 {

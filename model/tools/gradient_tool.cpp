@@ -2,7 +2,7 @@
 #include "model/maps/compositor.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirror.h"
-#include "model/tools/picker.h"
+#include "model/tools/picker_tool.h"
 #include "model/tools/tool_list.h"
 #include "model/values/texel_math.h"
 #include "sim/base/parallel.h"
@@ -16,8 +16,8 @@ namespace hairpaint::model {
 namespace {
 
 constexpr std::array kGradientKinds{
-    ToolChoice::Entry{"gradient-linear", QT_TRANSLATE_NOOP("ToolOptions", "Linear gradient")},
-    ToolChoice::Entry{"gradient-radial", QT_TRANSLATE_NOOP("ToolOptions", "Radial gradient")},
+    ToolChoice::Item{"gradient-linear", QT_TRANSLATE_NOOP("ToolOptions", "Linear gradient")},
+    ToolChoice::Item{"gradient-radial", QT_TRANSLATE_NOOP("ToolOptions", "Radial gradient")},
 };
 constexpr ToolOption kGradientKind{
     .key = "gradient",
@@ -27,7 +27,7 @@ constexpr ToolOption kGradientKind{
         .write = [](ToolSettings& settings, int index) { settings.gradient = static_cast<GradientKind>(index); }}};
 constexpr std::array kGradientOptions{&kValueOption, &kGradientKind, &kOpacityOption};
 
-/// The way from a place (0) to another (1), in texels.
+/// The line from a point (0) to another (1), in texels.
 struct Ramp
 {
     glm::vec2 startTx{0.0F};

@@ -18,8 +18,8 @@ struct LyingHair
     glm::vec2 direction{0.0F};
 };
 
-/// Every drawn hair of a group in that moment: the way from the root to the place 2 cm along it, of hair shorter than
-/// 6 cm a third along. Empty where the group is hidden. About 10 ms for 100,000 hairs; any thread.
+/// Every drawn hair of a group in that moment: the direction from the root to the point 2 cm along it, of hair shorter
+/// than 6 cm a third along. Empty where the group is hidden. About 10 ms for 100,000 hairs; any thread.
 [[nodiscard]] std::vector<LyingHair> lyingHairs(const sim::GroupFrame& group, const sim::HeadPose& pose);
 
 /// The same where hair lies on skin further on, as over the neck: of about `most` hairs of the group, for those nodes
@@ -28,7 +28,7 @@ struct LyingHair
 [[nodiscard]] std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::HeadPose& pose,
                                                     const sim::DistanceGrid* distances, std::size_t most = 4000);
 
-/// What they tell at every place near them: the mean of the nearest, of a few millimetres where they are dense and of
+/// What they tell at every point near them: the mean of the nearest, of a few millimetres where they are dense and of
 /// more where they are sparse. Immutable.
 class LyingField
 {

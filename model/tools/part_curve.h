@@ -38,7 +38,7 @@ public:
     /// Each piece between two points leaves and reaches them along the skin; what lies between is brought to the skin.
     PartCurve(const sim::Skin& skin, std::span<const sim::SurfacePoint> points);
 
-    /// A few mm apart; none where there are fewer than two places.
+    /// A few mm apart; none where there are fewer than two points.
     [[nodiscard]] const std::vector<Sample>& samples() const { return m_samples; }
     [[nodiscard]] bool empty() const { return m_samples.empty(); }
     [[nodiscard]] float lengthM() const { return m_samples.empty() ? 0.0F : m_samples.back().alongM; }
@@ -49,7 +49,7 @@ private:
     std::vector<Sample> m_samples;
 };
 
-/// The places straight on from a curve's end (or its beginning), a few mm apart, up to the first that has no hair; none
+/// The points straight on from a curve's end (or its beginning), a few mm apart, up to the first that has no hair; none
 /// where the curve does not lead toward the face, or hair goes on for more than some cm. `density`: of one channel.
 [[nodiscard]] std::vector<sim::SurfacePoint> placesToHairline(const sim::Skin& skin, const PartCurve& curve, bool atEnd,
                                                               const sim::TiledRaster& density);

@@ -1,4 +1,4 @@
-// Distances and directions about a curve, place by place, and the texels between.
+// Distances and directions about a curve at samples of the layout, and the texels between.
 #include "model/tools/part_field.h"
 
 #include "model/values/texel_math.h"
@@ -31,7 +31,7 @@ constexpr float kFacesAway = -0.3F; ///< Cosine between normals: the other side 
 constexpr float kLeastGapTx = 0.6F; ///< Half a gap's width.
 constexpr float kGapSoftness = 0.35F; ///< Of half its width.
 constexpr float kLeastSoftnessTx = 0.5F;
-constexpr float kOneIslandM = 0.02F; ///< Places further apart are no neighbours.
+constexpr float kOneIslandM = 0.02F; ///< Samples further apart are no neighbours.
 constexpr float kCloseM = 0.004F;    ///< Further from the curve than this its two sides do not meet.
 
 /// 0 up to `from`, 1 past `to`.
@@ -189,7 +189,7 @@ const PartField::Place* PartField::entry(int x, int y) const
     return place ? &*place : nullptr;
 }
 
-/// Between the places around it that lie on its island; none out of reach.
+/// Between the samples around it that lie on its island; none out of reach.
 std::optional<PartField::Place> PartField::at(glm::vec2 uv) const
 {
     constexpr float kPerUv = SkinFrames::kSize;
@@ -242,7 +242,7 @@ std::optional<PartField::Place> PartField::at(glm::vec2 uv) const
 
 std::vector<int> PartField::tilesWithin(float distanceM, int size) const
 {
-    constexpr float kBetweenM = 0.005F; // Something may lie so much nearer than the places around it.
+    constexpr float kBetweenM = 0.005F; // Something may lie so much nearer than the samples around it.
     const int across = size / kTile;
     std::vector<int> tiles;
     for (int row = 0; row < across && !m_tiles.empty(); ++row)

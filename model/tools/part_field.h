@@ -20,7 +20,7 @@ struct PartLook
     float leadOutM = 0.0F; ///< and at its end, hair falls to both sides, straight and without a gap.
 };
 
-/// Where places of the layout lie from a curve, and what a map's tiles become there. Computed between the places of
+/// Where texels of the layout lie from a curve, and what a map's tiles become there. Computed between the samples of
 /// SkinFrames near the curve, with work in proportion to them. One thread makes it; any number read it.
 class PartField
 {
@@ -45,21 +45,21 @@ private:
     struct Place
     {
         glm::vec3 positionHd{0.0F};
-        glm::vec2 right{0.0F};  ///< Unit, in the place's frame: away from the curve on its right side.
+        glm::vec2 right{0.0F}; ///< Unit, in the frame of that point of the skin: away from the curve on its right side.
         glm::vec2 shared{0.0F}; ///< In which hair of both sides goes besides.
         sim::SkinFrame frame;
         float lateralM = 0.0F; ///< From the curve, to its right.
         float alongM = 0.0F;
         float beyondM = 0.0F; ///< Past either end.
     };
-    static constexpr int kStride = 2; ///< Every other place of SkinFrames is enough.
+    static constexpr int kStride = 2; ///< Every other sample of SkinFrames is enough.
     static constexpr int kTileSide = SkinFrames::kTileSide / kStride;
     static constexpr int kSize = SkinFrames::kSize / kStride;
     static constexpr int kTilesAcross = SkinFrames::kTilesAcross;
     struct Tile
     {
         std::vector<std::optional<Place>> places; ///< [kTileSide][kTileSide]; none where nothing is in reach.
-        float nearestM = 0.0F;                    ///< Of its places to the curve.
+        float nearestM = 0.0F;                    ///< Of its samples to the curve.
     };
 
     [[nodiscard]] std::vector<int> tilesNear(const sim::HeadMesh& mesh) const;

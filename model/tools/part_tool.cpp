@@ -2,7 +2,7 @@
 #include "model/tools/fallen_hair.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/part_field.h"
-#include "model/tools/picker.h"
+#include "model/tools/picker_tool.h"
 #include "model/tools/tool_list.h"
 #include "sim/base/parallel.h"
 

@@ -1,6 +1,6 @@
 // The picker.
+#include "model/tools/picker_tool.h"
 #include "model/maps/texel_ops.h"
-#include "model/tools/picker.h"
 #include "model/tools/tool_list.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // Rectangle selection.
-#include "model/tools/picker.h"
+#include "model/tools/picker_tool.h"
 #include "model/tools/selection.h"
 #include "model/tools/tool_list.h"
 

@@ -2,7 +2,7 @@
 #include "model/maps/compositor.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirror.h"
-#include "model/tools/picker.h"
+#include "model/tools/picker_tool.h"
 #include "model/tools/shape_mask.h"
 #include "model/tools/tool_list.h"
 
@@ -15,9 +15,9 @@ namespace hairpaint::model {
 namespace {
 
 constexpr std::array kShapeKinds{
-    ToolChoice::Entry{"shape-rectangle", QT_TRANSLATE_NOOP("ToolOptions", "Rectangle")},
-    ToolChoice::Entry{"shape-ellipse", QT_TRANSLATE_NOOP("ToolOptions", "Ellipse")},
-    ToolChoice::Entry{"shape-polygon", QT_TRANSLATE_NOOP("ToolOptions", "Polygon")},
+    ToolChoice::Item{"shape-rectangle", QT_TRANSLATE_NOOP("ToolOptions", "Rectangle")},
+    ToolChoice::Item{"shape-ellipse", QT_TRANSLATE_NOOP("ToolOptions", "Ellipse")},
+    ToolChoice::Item{"shape-polygon", QT_TRANSLATE_NOOP("ToolOptions", "Polygon")},
 };
 constexpr ToolOption kShapeKind{
     .key = "shape",

@@ -35,7 +35,7 @@ std::optional<sim::SkinFrame> SkinFrames::at(glm::vec2 uv)
         glm::clamp(glm::vec2(uv.x, 1.0F - uv.y) * static_cast<float>(kSize) - 0.5F, 0.0F, kSize - 1.0F);
     const glm::ivec2 corner(glm::floor(onTable));
     const glm::vec2 fraction = onTable - glm::vec2(corner);
-    // The nearest place that has skin says which island it is.
+    // The nearest sample that has skin says which island it is.
     const sim::SkinFrame* nearest = nullptr;
     float nearestWeight = 0.0F;
     std::array<std::pair<const sim::SkinFrame*, float>, 4> around{};

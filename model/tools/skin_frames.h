@@ -1,4 +1,4 @@
-// The frames of a head's skin, by the places of its layout.
+// The frames of a head's skin, by the uv of its layout.
 #pragma once
 
 #include "sim/skin/skin_frame.h"
@@ -10,14 +10,14 @@
 
 namespace hairpaint::model {
 
-/// A place of the skin and how directions are told there.
+/// A point of the skin and the frame of directions there.
 struct SkinPlace
 {
     sim::SkinFrame frame;
     glm::vec3 positionHd{0.0F};
 };
 
-/// A table of 512 places a side, filled a tile at a time as they are asked for, so that the first stroke on a head
+/// A table of 512 x 512 samples, filled a tile at a time as they are asked for, so that the first stroke on a head
 /// waits for nothing. One thread at a time.
 class SkinFrames
 {
@@ -29,9 +29,9 @@ public:
 
     explicit SkinFrames(std::shared_ptr<const sim::Skin> skin);
 
-    /// Between the table's places; none where there is no skin near.
+    /// Between the table's samples; none where there is no skin near.
     [[nodiscard]] std::optional<sim::SkinFrame> at(glm::vec2 uv);
-    /// The table's own places, row 0 at v = 1; none off the skin.
+    /// The table's own samples, row 0 at v = 1; none off the skin.
     [[nodiscard]] const std::optional<SkinPlace>& place(int x, int y);
     [[nodiscard]] const sim::Skin& skin() const { return *m_skin; }
     [[nodiscard]] bool isOf(const std::shared_ptr<const sim::Skin>& skin) const { return m_skin == skin; }

@@ -87,7 +87,7 @@ struct ToolContext
     LayerAddress target;    ///< The active layer.
     ToolSettings& settings; ///< Brush size, value, ...; tools may change them (the picker does).
     Selection& selection;
-    bool mirror = false;                               ///< Paint the reflected place too.
+    bool mirror = false;                               ///< Paint at the reflected point too.
     std::function<Id(MapKind)> activeLayer = {};       ///< Of the target's group, for each map; 0 where it has none.
     std::shared_ptr<const sim::StrandFrame> hair = {}; ///< The newest that is drawn; null before there is any.
 
@@ -171,7 +171,7 @@ public:
     [[nodiscard]] virtual HairHandler* hairHandler() { return nullptr; }
     /// A key pressed while the tool is in use; false leaves it to others.
     virtual bool key(Qt::Key /*key*/, Qt::KeyboardModifiers /*modifiers*/, ToolContext& /*context*/) { return false; }
-    /// What runs is to be as the settings now say.
+    /// The settings have changed: brings the running action up to date with them.
     virtual void settingsChanged(ToolContext& /*context*/) {}
     virtual void cancel(ToolContext& context) = 0;
     /// Ends a running action early, keeping it.
@@ -182,8 +182,5 @@ public:
     [[nodiscard]] virtual bool pending() const { return false; }
     [[nodiscard]] virtual std::vector<OverlayShape> overlay() const { return {}; }
 };
-
-/// Every tool, in tool-bar order. A new tool is one file with its class and one line here.
-[[nodiscard]] std::vector<std::unique_ptr<Tool>> makeTools();
 
 } // namespace hairpaint::model

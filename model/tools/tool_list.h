@@ -1,7 +1,10 @@
-// One maker a tool; makeTools() calls them in tool-bar order.
+// The makers of the tools, one for each, and the tool bar that they fill.
 #pragma once
 
 #include "model/tools/tool.h"
+
+#include <memory>
+#include <vector>
 
 namespace hairpaint::model {
 
@@ -15,5 +18,8 @@ namespace hairpaint::model {
 [[nodiscard]] std::unique_ptr<Tool> makeShapeTool();
 [[nodiscard]] std::unique_ptr<Tool> makeSelectTool();
 [[nodiscard]] std::unique_ptr<Tool> makePickerTool();
+
+/// Every tool, in tool-bar order. Another tool is a file with its class, and a line here and there.
+[[nodiscard]] std::vector<std::unique_ptr<Tool>> makeTools();
 
 } // namespace hairpaint::model

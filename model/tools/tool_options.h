@@ -43,13 +43,13 @@ struct ToolSwitch
 /// One of a few kinds.
 struct ToolChoice
 {
-    struct Entry
+    struct Item
     {
         const char* icon;
         const char* title; ///< To be translated in context "ToolOptions".
         [[nodiscard]] QString titleText() const { return QCoreApplication::translate("ToolOptions", title); }
     };
-    std::span<const Entry> entries;
+    std::span<const Item> entries;
     int (*read)(const ToolSettings& settings) = nullptr;
     void (*write)(ToolSettings& settings, int index) = nullptr;
 };

@@ -17,7 +17,7 @@ enum class ShapeKind : std::uint8_t
 enum class CombKind : std::uint8_t
 {
     Lay,    ///< Lays it along the stroke.
-    Lift,   ///< Raises it, or lays it, the way it lies.
+    Lift,   ///< Raises it, or lowers it, in the direction in which it lies.
     Smooth, ///< As its neighbours lie.
     Noise,
     Whorl, ///< Lays it in a spiral around the pointer.

@@ -6,7 +6,7 @@
 
 namespace hairpaint::model {
 
-/// A spiral around a place of the skin, as at a crown: upright in the middle, and toward the ring ever flatter, more
+/// A spiral around a point of the skin, as at a crown: upright in the middle, and toward the ring ever flatter, more
 /// outward and less around.
 struct Whorl
 {

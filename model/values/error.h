@@ -7,7 +7,7 @@
 
 namespace hairpaint::model {
 
-/// `message` is one whole translated sentence that names the file and the way on.
+/// `message` is one whole translated sentence: what happened, to which file, and what to do.
 struct Error
 {
     QString message;

@@ -1,4 +1,4 @@
-// Places along a line of straight pieces.
+// Positions along a line of straight pieces.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -7,7 +7,7 @@
 
 namespace hairpaint::model {
 
-/// The place `alongM` along it; its end where that is nearer. At least one point.
+/// The position `alongM` along it; its end where that is nearer. At least one point.
 [[nodiscard]] inline glm::vec3 placeAlong(std::span<const glm::vec3> points, float alongM)
 {
     for (std::size_t i = 1; i < points.size(); ++i) {

@@ -1,4 +1,4 @@
-// The sentences with which reading and writing files fails: each names the file and the way on.
+// The sentences with which reading and writing files fails: each names the file and says what to do.
 #pragma once
 
 #include "model/values/guarded.h"
@@ -37,7 +37,7 @@ using Checked = tl::expected<T, Clause>;
 [[nodiscard]] tl::unexpected<Error> cannotWrite(const QString& path, const Clause& clause);
 [[nodiscard]] tl::unexpected<Error> cancelled(const QString& path);
 
-/// The system's reason for refusing, as a clause with the way on.
+/// The system's reason for refusing, as a clause that says what to do.
 [[nodiscard]] QString readRefusal(const QString& reason);
 [[nodiscard]] QString writeRefusal(const QString& reason);
 

@@ -1,4 +1,4 @@
-// The place of a cell along the Hilbert curve through a cube: cells near on the curve are near in space.
+// The index of a cell along the Hilbert curve through a cube: cells near on the curve are near in space.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -1,4 +1,4 @@
-// The one way in which this program runs a loop on several threads.
+// Loops that run on several threads; all of the program's are here.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace hairpaint::sim {
 /// preset.
 void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 
-/// Whom a thread's loops serve. Each has places for threads of its own, so that a loop of the window never waits for a
+/// Whom a thread's loops serve. Each has slots for threads of its own, so that a loop of the window never waits for a
 /// groom or a file to be done; idle threads help the window first, then simulation and drawing.
 enum class Arena : std::uint8_t
 {

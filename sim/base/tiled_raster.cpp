@@ -25,7 +25,7 @@ float unitClamp(float x)
     return x < 1.0F ? x : 1.0F;
 }
 
-/// The four texels around a uv and its place between them.
+/// The four texels around a uv and its weights between them.
 struct Footprint
 {
     Footprint(glm::vec2 uv, int size)

@@ -14,7 +14,7 @@ inline constexpr float kBraidReachSpacings = 1.8F;
 
 /// Basis hairs of one kind that stand within kBraidReachSpacings of each other form a region. Each region has centres
 /// at least the group's braid spacing apart, then moved to the middle of the part that is nearest to them. Immutable.
-/// Where very many basis hairs crowd into one place, some of a region may be left out of it and braid by themselves.
+/// Where very many basis hairs crowd onto one spot, some of a region may be left out of it and braid by themselves.
 class BraidLayout
 {
 public:

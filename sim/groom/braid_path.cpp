@@ -29,7 +29,7 @@ glm::vec3 alongSkin(glm::vec3 direction, glm::vec3 normal)
     return length > 1e-9F ? flat / length : glm::vec3(0.0F);
 }
 
-/// Bezier's cubic that leaves and arrives along the skin. For two places on a circle its handles, 2/3 of the chord over
+/// Bezier's cubic that leaves and arrives along the skin. For two points on a circle its handles, 2/3 of the chord over
 /// 1 + cos of half the angle, are those of the circle's arc.
 std::array<glm::vec3, kSamples> scalpPath(const RootFrame& from, const RootFrame& to, float aboveM)
 {

@@ -12,7 +12,7 @@ namespace hairpaint::sim {
 /// same for all hairs, so that those of a braid share its nodes.
 [[nodiscard]] int gatheringNode(int nodes);
 
-/// Fills the nodes: evenly over the scalp from the root to a place `aboveM` over the centre's root, from there evenly
+/// Fills the nodes: evenly over the scalp from the root to a point `aboveM` over the centre's root, from there evenly
 /// along `centreLengthM` of its normal. Returns the length of the part on the scalp, m.
 [[nodiscard]] float braidRest(const RootFrame& root, const RootFrame& centre, float aboveM, float centreLengthM,
                               std::span<glm::vec3> nodesHd);

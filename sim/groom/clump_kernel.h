@@ -12,11 +12,11 @@ struct ClumpTask
 {
     using Row = std::array<float, kLanes>;
     int nodes = 0;
-    float* nodesHd = nullptr;       ///< Drawn in place; a hair of no clump stays as it is.
+    float* nodesHd = nullptr;       ///< Changed where they lie; a hair of no clump stays as it is.
     const float* basisHd = nullptr; ///< Ignored where no clump.
     Row segmentM{};
     Row basisSegmentM{}; ///< Not 0 where there is clump.
-    Row clump{}; ///< 0..1. Becomes less by how far the two do not go the same way: across a parting none gathers.
+    Row clump{};         ///< 0..1. Reduced by the angle between the two hairs: across a parting none gathers.
 };
 
 /// Draws the nodes toward the basis hair's at the same distance along the hair, by `clump` times a fraction that grows

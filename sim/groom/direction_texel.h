@@ -10,8 +10,8 @@
 
 namespace hairpaint::sim {
 
-/// The way in which hair leaves the skin, projected on the tangent plane, in the frame of the root (SkinFrame). Its
-/// length is the cosine of the angle to the skin: 0 stands upright, 1 lies flat. Never longer than 1.
+/// The direction in which hair leaves the skin, projected on the tangent plane, in the frame of the root (SkinFrame).
+/// Its length is the cosine of the angle to the skin: 0 stands upright, 1 lies flat. Never longer than 1.
 using DirectionVector = glm::vec2;
 
 inline constexpr float kDirectionZero = 32768.0F; ///< What a channel stores for 0;
@@ -34,7 +34,7 @@ inline constexpr float kDirectionOne = 32767.0F;  ///< and how far from it for 1
     return directionOfChannels({static_cast<float>(texel[0]), static_cast<float>(texel[1])});
 }
 
-/// Directions whose mean is shorter than this fraction of them are opposed: there is no way between.
+/// Directions whose mean is shorter than this fraction of them are opposed and have no mean direction.
 inline constexpr float kOpposedDirections = 0.02F;
 /// Texels side by side that differ by more than 120 degrees are the two sides of a parting: halfway between them hair
 /// would lie along it and fall over the face.

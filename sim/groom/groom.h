@@ -72,7 +72,7 @@ struct BasisStyles
     std::vector<float>
         give; ///< [blocks][kLanes]: fraction of its length by which a coil stretches or shortens; else 0.
     std::vector<float> girth;  ///< [blocks][kLanes], m: half the thickness of the braid it is in; else 0.
-    std::vector<float> height; ///< [blocks][kLanes], 0..1: place in the coat, times volumeM (see PhysicsSettings).
+    std::vector<float> height; ///< [blocks][kLanes], 0..1: height in the coat, times volumeM (see PhysicsSettings).
     std::vector<std::uint32_t> wanted; ///< [blocks]: bit per lane, whether the hair or a dependent of it is drawn.
     [[nodiscard]] std::size_t blockCount() const { return wanted.size(); }
 };
@@ -154,8 +154,5 @@ private:
     struct State;
     std::unique_ptr<State> m_state;
 };
-
-/// Turns by table 1 for a curl value of 0..1; `stepped` rounds to the table's levels.
-[[nodiscard]] float turnsOfCurl(float value, bool stepped);
 
 } // namespace hairpaint::sim

@@ -39,7 +39,7 @@ GroupSettings withinLimits(GroupSettings settings)
     return settings;
 }
 
-/// Place in the coat: hairs from higher on the head lie over those from below; chance tells neighbours apart.
+/// Height in the coat: hairs from higher on the head lie over those from below; chance tells neighbours apart.
 float heightOf(const RootSet& roots, std::uint32_t slot, float crownY)
 {
     constexpr float kScalpM = 0.20F;

@@ -1,4 +1,4 @@
-// In which direction hair grows at a place on the head, by how long it is.
+// In which direction hair grows at a point of the head, by how long it is.
 #pragma once
 
 #include "sim/groom/direction_texel.h"
@@ -21,7 +21,7 @@ struct GrowthDirections
 /// How far hair of a length lies as it falls rather than as it grows, 0..1.
 [[nodiscard]] float fallFraction(float lengthM);
 
-/// Of what the map and the head's natural stream (null where there is none) hold for a place on the skin.
+/// Of what the map and the head's natural stream (null where there is none) hold for a point of the skin.
 [[nodiscard]] GrowthDirections growthDirections(DirectionVector painted, const DirectionVector* natural,
                                                 glm::vec3 positionHd, const SkinFrame& frame);
 

@@ -23,7 +23,7 @@ constexpr float kSteepestOfLong = 0.2F; ///< of long hair, whose weight draws it
 constexpr float kMostPush = 0.5F;       ///< Of a step, out of the head.
 constexpr float kClearM = 0.0005F;      ///< Nothing is laid nearer to the skin.
 
-/// The cells that places are in, -1 where in none, and everywhere where not `wanted`.
+/// The cells that positions are in, -1 where in none, and everywhere where not `wanted`.
 template<class D, class DI = hn::Rebind<std::int32_t, D>>
 HWY_INLINE hn::Vec<DI> cellsAt(D d, const SkinBand::Grid& grid, const Vec3<hn::Vec<D>>& place, hn::Mask<D> wanted)
 {

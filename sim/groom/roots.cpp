@@ -40,7 +40,7 @@ AreaCurve layOutFaces(const Skin& skin)
     const float side = std::max({extent.x, extent.y, extent.z, 1e-20F});
     constexpr auto kLastCell = static_cast<float>((1U << static_cast<unsigned>(kHilbertBits)) - 1);
 
-    std::vector<std::uint64_t> keys; // Place on the curve, then the face: no ties.
+    std::vector<std::uint64_t> keys; // Index on the curve, then the face: no ties.
     keys.reserve(mesh.triangles.size());
     for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {
         const float area = skin.faceAreaM2(face);

@@ -42,6 +42,9 @@ struct RootChance
 /// Of the curl-size map's value, m: exactly half of the greatest where nothing is painted.
 [[nodiscard]] float curlRadiusOf(const GroupSettings& settings, float value);
 
+/// Turns by table 1 for a curl value of 0..1; `stepped` rounds to the table's levels.
+[[nodiscard]] float turnsOfCurl(float value, bool stepped);
+
 /// What equation 1 is given.
 struct Coil
 {

@@ -1,4 +1,4 @@
-// Every texel asks its place on the skin.
+// Every texel asks for its point on the skin.
 #include "sim/groom/stream_raster.h"
 
 #include "sim/groom/direction_texel.h"

@@ -1,4 +1,4 @@
-// Which places sample which tiles of a map.
+// Which roots sample which tiles of a map.
 #pragma once
 
 #include "sim/base/tiled_raster.h"
@@ -9,7 +9,7 @@
 
 namespace hairpaint::sim {
 
-/// The slots, which may be any places with a uv, whose samples begin in each tile of a raster.
+/// The slots, of roots or of anything else with a uv, whose samples begin in each tile of a raster.
 class TileIndex
 {
 public:
@@ -29,7 +29,7 @@ private:
 };
 
 /// The tiles in which samples begin that may read texels that differ; none where the rasters are of other shapes or so
-/// much differs that every place is to be looked at. Equal tile pointers are equal tiles.
+/// much differs that every slot is to be looked at. Equal tile pointers are equal tiles.
 [[nodiscard]] std::optional<std::vector<int>> tilesThatDiffer(const TiledRaster& before, const TiledRaster& after);
 
 } // namespace hairpaint::sim

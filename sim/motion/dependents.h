@@ -50,7 +50,7 @@ private:
     };
     [[nodiscard]] static Lead leadOf(const Groom& groom, std::span<const float> restPositions, std::size_t strand,
                                      float lengthM, float perLength);
-    /// 1 where both lie in one place, 0 where they lie to different sides.
+    /// 1 where both lie at one position, 0 where they lie to different sides.
     [[nodiscard]] static float agreement(const Lead& a, const Lead& b);
     /// Brings m_leads to the groom; false where none differs, else `changed` tells which: [basis lanes].
     bool findChangedBasis(const Groom& groom, std::vector<std::uint8_t>& changed);
@@ -69,7 +69,7 @@ private:
     std::shared_ptr<const BasisStyles> m_basis;
     std::vector<Lead> m_leads; ///< [basis lanes] of m_basis.
     std::vector<Chunk> m_chunks;
-    std::vector<std::uint32_t> m_placed; ///< Chunks that have a place in the frame.
+    std::vector<std::uint32_t> m_placed; ///< Chunks that have positions in the frame.
     AlignedFloats m_displacements;       ///< [basis lanes][nodes][kBasisFloats], see DependentsTask.
 };
 

@@ -11,7 +11,7 @@ struct Wind
     bool enabled = true;
     glm::vec3 velocity{0.0F}; ///< Direction and strength; WindField limits it to 60 m/s.
     float gustiness = 0.5F;   ///< 0..1: fraction of the strength that comes and goes over seconds.
-    float turbulence = 0.3F;  ///< 0..1: fraction of the strength that differs from place to place.
+    float turbulence = 0.3F;  ///< 0..1: fraction of the strength that varies over space.
     friend bool operator==(const Wind&, const Wind&) = default;
 };
 

@@ -10,7 +10,7 @@
 
 namespace hairpaint::sim {
 
-/// Deterministic: the same steps blow in the same way. Gusts come and go over seconds, everywhere and in waves over the
+/// Deterministic: the same steps give the same wind. Gusts come and go over seconds, everywhere and in waves over the
 /// head; turbulence is two waves that run over the head and along each strand, out of step from hair to hair.
 class WindField
 {

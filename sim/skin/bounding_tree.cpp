@@ -102,7 +102,7 @@ float squaredDistanceToBox(glm::vec3 lowest, glm::vec3 highest, glm::vec3 point)
     return glm::dot(outside, outside);
 }
 
-/// 1 / direction, with a great number in place of infinity, so that 0 times it is no NaN.
+/// 1 / direction, with a great number instead of infinity, so that 0 times it is no NaN.
 glm::vec3 inverseOf(glm::vec3 direction)
 {
     constexpr float kSmallest = 1e-18F;

@@ -10,7 +10,7 @@
 
 namespace hairpaint::sim {
 
-/// A place on a face, as the tree finds it.
+/// A point on a face, as the tree finds it.
 struct FacePoint
 {
     std::uint32_t face = 0;

@@ -279,7 +279,7 @@ std::optional<DistanceGrid::Sample> DistanceGrid::at(const glm::vec3& positionHd
 {
     const glm::vec3 inCells = (positionHd - m_layout.originHd) / m_layout.cellM;
     const glm::vec3 low = glm::floor(inCells);
-    // Also where the place is not a number.
+    // Also where the position is not a number.
     if (!glm::all(glm::greaterThanEqual(low, glm::vec3(0.0F))) ||
         !glm::all(glm::lessThan(low, glm::vec3(m_layout.size - 1))))
         return std::nullopt;

@@ -1,4 +1,4 @@
-// Places that every head has, by which two heads are brought together.
+// Points that every head has, by which two heads are aligned.
 #pragma once
 
 #include <array>

@@ -9,7 +9,7 @@
 
 namespace hairpaint::sim {
 
-/// Carries places of one head to the places on another that correspond: landmarks to landmarks exactly, what lies
+/// Maps positions on one head to the corresponding positions on another: landmarks to landmarks exactly, what lies
 /// between and around them with the least bending. Immutable; any thread. Hd, m. Source: the thin plate spline of
 /// Bookstein, Principal Warps (1989), whose kernel in space is the distance itself. Landmarks that lie in one plane or
 /// coincide give the smallest warp that brings them together as far as can be.

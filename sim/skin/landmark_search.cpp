@@ -67,7 +67,7 @@ struct Pair
     double distance;
 };
 
-/// About `count` places on the known head without neck and chest, evenly over its area.
+/// About `count` points on the known head without neck and chest, evenly over its area.
 std::vector<Sample> headSamples(const Skin& known, const HeadLandmarks& landmarks, double count)
 {
     const float lowest = landmarks[HeadLandmark::Chin].y;
@@ -92,7 +92,7 @@ std::vector<Sample> headSamples(const Skin& known, const HeadLandmarks& landmark
     return samples;
 }
 
-/// The closest pairs of a sample and its place on the skin, the farthest of which are left out, and those whose
+/// The closest pairs of a sample and its point on the skin, the farthest of which are left out, and those whose
 /// surfaces face apart.
 std::vector<Pair> closestPairs(const std::vector<Sample>& samples, const Pose& pose, const Skin& skin)
 {
@@ -161,7 +161,7 @@ Pose uprightFit(const std::vector<Pair>& pairs)
     return {.linear = linear, .shift = means.to - linear * means.from};
 }
 
-/// The least squared error, above all across the skin: along it a place may slide to where it belongs. `Terms` of the
+/// The least squared error, above all across the skin: along it a point may slide to where it belongs. `Terms` of the
 /// curved ones are free, and held back a little, for they reach far. Source: Chen and Medioni, Object Modelling by
 /// Registration of Multiple Range Images (1992).
 template<int Terms>
@@ -230,7 +230,7 @@ Pose startPose(const Skin& unknown, const HeadLandmarks& landmarks, double scale
     return pose;
 }
 
-/// Moves the pose until it fits; false where too little of the head finds a place, or next to none of it is left.
+/// Moves the pose until it fits; false where too little of the head has a counterpart, or next to none of it is left.
 bool fit(Pose& pose, const std::vector<Sample>& samples, const Skin& unknown, int rounds,
          Pose (*best)(const std::vector<Pair>&))
 {

@@ -99,7 +99,7 @@ std::vector<double> heatFrom(glm::vec3 sourceHd, double reachM, const HeadMesh& 
         }
     }
     for (Eigen::Index i = 0; i < count; ++i)
-        entries.emplace_back(i, i, 1e-14); // Places that no triangle uses.
+        entries.emplace_back(i, i, 1e-14); // Vertices that no triangle uses.
     Eigen::SparseMatrix<double> matrix(count, count);
     matrix.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);

@@ -13,8 +13,8 @@ struct Neck
 {
     glm::vec3 pivotHd{0.0F};
     glm::vec3 acrossHd{1.0F, 0.0F, 0.0F}; ///< Unit length, level, toward the head's own left.
-    /// What lies above the first height turns with the head, what lies below the second does not, and between them the
-    /// neck twists. Equal: all turns with the head.
+    /// What lies above headY turns with the head, what lies below shouldersY does not, and between them the
+    /// neck twists. Where the two are equal everything turns with the head.
     float headY = 0.0F;
     float shouldersY = 0.0F;
 

@@ -10,7 +10,7 @@
 
 namespace hairpaint::sim {
 
-/// A place on the skin. `barycentric` weighs the face's three vertices and sums to 1.
+/// A point on the skin. `barycentric` weighs the face's three vertices and sums to 1.
 struct SurfacePoint
 {
     std::uint32_t face = 0;
@@ -55,8 +55,8 @@ public:
     [[nodiscard]] std::optional<SurfacePoint> atUv(glm::vec2 uv) const;
     /// The nearest point on the skin.
     [[nodiscard]] SurfacePoint nearest(glm::vec3 positionHd) const;
-    /// The same place on the other side of the plane x = 0: nearest(reflected position), or none where the skin is
-    /// further than `toleranceM` from it.
+    /// The corresponding point on the other side of the plane x = 0: nearest(reflected position), or none where the
+    /// skin is further than `toleranceM` from it.
     [[nodiscard]] std::optional<SurfacePoint> mirrored(const SurfacePoint& point, float toleranceM = 0.003F) const;
 
 private:

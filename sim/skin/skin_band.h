@@ -1,4 +1,4 @@
-// What skin lies below a place close over it.
+// What skin lies below a position close over it.
 #pragma once
 
 #include "sim/skin/skin_frame.h"
@@ -9,7 +9,7 @@
 
 namespace hairpaint::sim {
 
-/// Cells of a grid within kReachM of the skin, on both sides, each with the place on the skin nearest to its middle.
+/// Cells of a grid within kReachM of the skin, on both sides, each with the point of the skin nearest to its middle.
 /// Immutable; any thread. 50 bytes a cell: some 10 MB for a bust.
 class SkinBand
 {
@@ -18,8 +18,8 @@ public:
 
     static constexpr std::int32_t kNone = -1;
 
-    /// Which cell a place is in: (place - origin) * perCell, each axis cut to a whole number, and kNone where that is
-    /// out of the grid or the cell is too far from the skin.
+    /// Which cell a position is in: (position - origin) * perCell, each axis cut to a whole number, and kNone where
+    /// that is out of the grid or the cell is too far from the skin.
     struct Grid
     {
         const std::int32_t* indices = nullptr; ///< [z][y][x] of cells().

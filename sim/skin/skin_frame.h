@@ -1,4 +1,4 @@
-// The frame in which a place on the skin tells directions.
+// The frame of directions at a point of the skin.
 #pragma once
 
 #include "sim/skin/skin.h"

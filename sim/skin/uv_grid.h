@@ -1,4 +1,4 @@
-// A grid over uv that says which faces may cover a place on the map.
+// A grid over uv that says which faces may cover a point of the map.
 #pragma once
 
 #include "sim/skin/going_on.h"

@@ -8,7 +8,7 @@
 
 namespace hairpaint::sim {
 
-/// Vertices that are near and face the same way are one. Only positions and triangles are there.
+/// Vertices that are near and whose normals agree are one. Only positions and triangles are there.
 struct CoarseMesh
 {
     HeadMesh mesh;

@@ -1,4 +1,4 @@
-// Places are rounded, sorted and compared.
+// Positions are rounded, sorted and compared.
 #include "sim/skin/vertex_weld.h"
 
 #include "sim/skin/mesh_bounds.h"

@@ -1,4 +1,4 @@
-// Which vertices of a mesh are one place.
+// Which vertices of a mesh have one position.
 #pragma once
 
 #include "sim/skin/head_mesh.h"
@@ -7,8 +7,8 @@
 
 namespace hairpaint::sim {
 
-/// For each vertex the first one at its place, to a millionth of the mesh's size: the two sides of a uv seam are one
-/// place, and may have been rounded differently. Any thread.
+/// For each vertex the first one at its position, to a millionth of the mesh's size: the two sides of a uv seam have
+/// one position, and may have been rounded differently. Any thread.
 [[nodiscard]] std::vector<unsigned> weldedVertices(const HeadMesh& mesh);
 
 } // namespace hairpaint::sim

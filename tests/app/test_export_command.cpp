@@ -197,6 +197,8 @@ private Q_SLOTS:
         row("-o a.glb --cards --atlas 2000", "1024, 2048, 4096");
         row("-o a.glb --cards --lods 4", "1 to 3");
         row("-o a.glb --cards --lods few", "few");
+        row("--cards --maps .", "-o");
+        row("-o a.hair --bones", ".glb with --cards");
     }
     void cardsThatMakeNoSenseAreWrongUsage()
     {

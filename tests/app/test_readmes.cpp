@@ -12,6 +12,9 @@ using namespace hairpaint;
 
 namespace {
 
+const QStringList kFloors{QStringLiteral("sim"), QStringLiteral("model"), QStringLiteral("view"),
+                          QStringLiteral("app")};
+
 QString textOf(const QString& path)
 {
     QFile file(path);
@@ -33,17 +36,18 @@ QStringList quoted(const QString& text)
     return found;
 }
 
-/// The files of the four floors that hold one of the names as a word.
-QStringList filesNaming(const QStringList& names)
+/// The files of the four floors, and of `more`, that hold one of the names as a word.
+QStringList filesNaming(const QStringList& names, const QStringList& more = {})
 {
     QStringList escaped;
     for (const QString& name : names)
         escaped += QRegularExpression::escape(name);
     const QRegularExpression any(QStringLiteral("\\b(?:%1)\\b").arg(escaped.join(QLatin1Char('|'))));
     QStringList files;
-    for (const char* floor : {"sim", "model", "view", "app"}) {
-        QDirIterator walk(underSource(QString::fromLatin1(floor)), {QStringLiteral("*.h"), QStringLiteral("*.cpp")},
-                          QDir::Files, QDirIterator::Subdirectories);
+    for (const QString& folder : kFloors + more) {
+        QDirIterator walk(underSource(folder),
+                          {QStringLiteral("*.h"), QStringLiteral("*.cpp"), QStringLiteral("order.txt")}, QDir::Files,
+                          QDirIterator::Subdirectories);
         while (walk.hasNext()) {
             const QString path = walk.next();
             if (textOf(path).contains(any))
@@ -56,30 +60,30 @@ QStringList filesNaming(const QStringList& names)
 
 struct HowTo
 {
-    QString names; ///< The line that begins the list.
+    QString names;       ///< The line that begins the list.
+    QStringList folders; ///< Besides the floors.
     QStringList paths;
 };
 
-/// Lists that follow a line "Where `Name` and `Other` are named:".
+/// Lists that follow a line "Where `Name` and `Other` are named:" or "... are named, in `folder` too:".
 QList<HowTo> howTosIn(const QString& readme)
 {
-    static const QRegularExpression list(
-        QStringLiteral(R"((Where `[^\n]*(?:is|are) named:)\n\n((?:- [^\n]*\n(?:  [^\n]*\n)*)+))"));
+    static const QRegularExpression list(QStringLiteral(
+        R"((Where `[^\n]*(?:is|are) named)(?:, in `([^`]+)` too)?:\n\n((?:- [^\n]*\n(?:  [^\n]*\n)*)+))"));
     static const QRegularExpression item(QStringLiteral("^- `([^`]+)`"), QRegularExpression::MultilineOption);
     QList<HowTo> all;
     for (auto match = list.globalMatch(readme); match.hasNext();) {
         const QRegularExpressionMatch found = match.next();
-        HowTo one{.names = found.captured(1), .paths = {}};
-        for (auto path = item.globalMatch(found.captured(2)); path.hasNext();)
+        HowTo one{.names = found.captured(1), .folders = {}, .paths = {}};
+        if (!found.captured(2).isEmpty())
+            one.folders += found.captured(2);
+        for (auto path = item.globalMatch(found.captured(3)); path.hasNext();)
             one.paths += path.next().captured(1);
         one.paths.sort();
         all += one;
     }
     return all;
 }
-
-const QStringList kFloors{QStringLiteral("sim"), QStringLiteral("model"), QStringLiteral("view"),
-                          QStringLiteral("app")};
 
 } // namespace
 
@@ -94,14 +98,26 @@ private Q_SLOTS:
             for (const HowTo& howTo : howTosIn(textOf(underSource(floor + QStringLiteral("/README.md"))))) {
                 ++lists;
                 QVERIFY(!howTo.paths.isEmpty());
-                const QStringList named = filesNaming(quoted(howTo.names));
+                const QStringList named = filesNaming(quoted(howTo.names), howTo.folders);
                 QVERIFY2(named == howTo.paths,
                          qPrintable(howTo.names + QStringLiteral("\n  in the sources: ") +
                                     named.join(QLatin1Char(' ')) + QStringLiteral("\n  in the README: ") +
                                     howTo.paths.join(QLatin1Char(' '))));
             }
         }
-        QVERIFY(lists >= 5);
+        QVERIFY(lists >= 13);
+    }
+
+    void whatNoSourceNamesIsNamedInNone()
+    {
+        static const QRegularExpression claim(QStringLiteral("No source names `([^`]+)`"));
+        int claims = 0;
+        for (const QString& floor : kFloors) {
+            const QString readme = textOf(underSource(floor + QStringLiteral("/README.md")));
+            for (auto match = claim.globalMatch(readme); match.hasNext(); ++claims)
+                QCOMPARE(filesNaming({match.next().captured(1)}), QStringList());
+        }
+        QVERIFY(claims > 0);
     }
 
     /// Paths with a folder of the tree, be they files, files without their ending, or folders.

@@ -1,5 +1,6 @@
 // Unsaved work where disks, clocks, links and other programs are against it: it is offered, or it is told why not, and
 // nothing of anybody else's is touched.
+#include "app/recovery/recovery.h"
 #include "model/journal/journal_format.h"
 #include "model/journal/journal_records.h"
 #include "model/journal/journal_writer.h"
@@ -224,6 +225,18 @@ private Q_SLOTS:
         RecoveryAnswer answer(QStringLiteral("Restore"));
         offer();
         QCOMPARE(stack().index(), 1);
+    }
+
+    void theEndOfTheProgramKnowsOfASweepOnASilentDisk()
+    {
+        const QByteArray folder = QFile::encodeName(JournalFolder::root());
+        {
+            const test::FileStall stall(folder.constData());
+            sweepBeside({JournalFolder::root() + QStringLiteral("/hair.hairpaint")});
+            QTRY_VERIFY_WITH_TIMEOUT(test::FileStall::waiting() > 0, kPatienceMs);
+            QVERIFY(Jobs::anyLeft());
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(!Jobs::anyLeft(), kPatienceMs);
     }
 #endif
 

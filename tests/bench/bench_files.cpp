@@ -1,4 +1,5 @@
 // What saving and opening a large project costs: seven maps of three full layers of noise, which nothing can fold.
+#include "model/files/encoded_layers.h"
 #include "model/files/project_file.h"
 #include "model/project/project.h"
 #include "sim/base/deterministic.h"

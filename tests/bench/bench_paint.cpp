@@ -3,6 +3,7 @@
 #include "model/tools/selection.h"
 #include "model/tools/stroke_buffer.h"
 #include "model/tools/tool.h"
+#include "model/tools/tool_list.h"
 
 #include <benchmark/benchmark.h>
 

@@ -22,7 +22,7 @@ constexpr std::array<Region, 3> kRegions = {&heads::HeadRegions::scalpDistance, 
 const heads::BuiltInHead& head()
 {
     QFETCH_GLOBAL(QString, name);
-    return *heads::builtInHead(name.toStdString());
+    return *heads::findBuiltInHead(name.toStdString());
 }
 
 const heads::HeadRegions& regions()

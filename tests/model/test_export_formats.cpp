@@ -156,6 +156,25 @@ private Q_SLOTS:
         QVERIFY(width > 0.002F && width < 0.02F);
     }
 
+    /// At its default is what a format does not take, on what it implies.
+    void aFormatHasOfTheWishesWhatItTakes()
+    {
+        ExportRequest wanted;
+        wanted.curves.toleranceM = 0.002F;
+        wanted.cards = {.triangles = 2000, .atlasPx = 1024, .levels = 3};
+        wanted.author = QStringLiteral("Ann");
+        for (const ExportFormat& format : exportFormats()) {
+            const ExportRequest got = format.requestFor(wanted);
+            QCOMPARE(got.format, &format);
+            QCOMPARE(got.curves.toleranceM, 0.002F);
+            QCOMPARE(got.author, format.isAvatar ? wanted.author : QString());
+            CardSettings cards = format.hasCards ? wanted.cards : CardSettings{};
+            if (format.isAvatar)
+                cards = {.triangles = 2000, .atlasPx = 1024, .levels = 1, .springBones = true, .withHead = true};
+            QVERIFY2(got.cards == cards, format.id);
+        }
+    }
+
     void namesOfGroupsBecomePrimsThatAreThere()
     {
         const auto frame =

@@ -1,6 +1,7 @@
 // A document with tools, driven as the window drives them.
 #pragma once
 
+#include "model/tools/tool_list.h"
 #include "tests/model/fixtures.h"
 
 #include <algorithm>

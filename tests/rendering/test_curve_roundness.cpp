@@ -2,7 +2,7 @@
 #include "sim/groom/strand_curve.h"
 #include "tests/support/test_program.h"
 #include "view/rendering/frame_constants.h"
-#include "view/rendering/software/strand_block.h"
+#include "view/rendering/software/strand_kernel.h"
 
 #include <QtTest>
 

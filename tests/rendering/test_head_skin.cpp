@@ -16,7 +16,7 @@ class TestHeadSkin : public RendererFixture
 {
     Q_OBJECT
 private:
-    static rendering::Skin fair()
+    static rendering::SkinShading fair()
     {
         return {.colour = {0.72F, 0.48F, 0.36F},
                 .lips = {0.58F, 0.30F, 0.24F},
@@ -27,7 +27,7 @@ private:
     }
 
     /// Lit from the picture's right; without grain, so that single pixels tell.
-    static Scene ballOf(const rendering::Skin& skin, const sim::SkinMarks& marks = {})
+    static Scene ballOf(const rendering::SkinShading& skin, const sim::SkinMarks& marks = {})
     {
         Scene scene = emptyScene();
         auto ball = std::make_shared<sim::HeadMesh>(*makeBall(kBall));
@@ -54,7 +54,7 @@ private Q_SLOTS:
     void theShadowsEdgeIsRedWhereLightScatters()
     {
         const auto redness = [this](float scatter) {
-            rendering::Skin skin = fair();
+            rendering::SkinShading skin = fair();
             skin.scatter = scatter;
             const Picture picture = draw(ballOf(skin));
             double reddest = 0.0; // A little beyond the middle, where the ball turns away from the light.

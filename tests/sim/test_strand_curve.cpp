@@ -1,6 +1,7 @@
 // Curves are the paper's equations, drawn along the skeleton.
 #include "sim/groom/groom.h"
 #include "sim/groom/strand_curve.h"
+#include "sim/groom/strand_style.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>

@@ -176,6 +176,39 @@ private Q_SLOTS:
         QCOMPARE(next.choice().request.cards, choice.request.cards);
     }
 
+    void a_format_shows_the_fields_of_its_options_and_no_others()
+    {
+        ExportHairDialog dialog(twoGroups(), {});
+        dialog.show();
+        for (std::size_t i = 0; i < model::exportFormats().size(); ++i) {
+            boxAt(dialog, 0)->setCurrentIndex(static_cast<int>(i));
+            std::size_t fields = 0;
+            for (const QWidget* widget : dialog.findChildren<QWidget*>({}, Qt::FindDirectChildrenOnly))
+                fields += widget->isVisible() && (qobject_cast<const BarSlider*>(widget) != nullptr ||
+                                                  qobject_cast<const QComboBox*>(widget) != nullptr ||
+                                                  qobject_cast<const QCheckBox*>(widget) != nullptr ||
+                                                  qobject_cast<const QLineEdit*>(widget) != nullptr)
+                              ? 1
+                              : 0;
+            constexpr std::size_t kOfAll = 4; // Format, program, shape, hairs.
+            const model::ExportFormat& format = model::exportFormats()[i];
+            QVERIFY2(fields == kOfAll + format.options.size(), format.id);
+        }
+    }
+
+    void what_is_set_is_kept_while_another_format_is_chosen()
+    {
+        ExportHairDialog dialog(twoGroups(), {});
+        const auto cards = static_cast<int>(&model::cardFormat() - model::exportFormats().data());
+        sliderNamed(dialog, QStringLiteral("Tolerance"))->setValue(2.0);
+        boxAt(dialog, 0)->setCurrentIndex(cards);
+        sliderNamed(dialog, QStringLiteral("Triangles"))->setValue(8000);
+        QCOMPARE(dialog.choice().request.curves.toleranceM, 0.0F); // Cards follow hairs by themselves.
+        boxAt(dialog, 0)->setCurrentIndex(0);
+        QVERIFY(std::abs(dialog.choice().request.curves.toleranceM - 0.002F) < 1e-7F);
+        QCOMPARE(dialog.choice().request.cards.triangles, 8000);
+    }
+
     void avatars_ask_for_an_author()
     {
         ExportHairDialog dialog(twoGroups(), {});
@@ -191,8 +224,8 @@ private Q_SLOTS:
         QTest::keyClicks(author, QStringLiteral("Ann"));
         const HairExportChoice choice = dialog.choice();
         QVERIFY(choice.request.format->isAvatar);
-        QCOMPARE(choice.author, QStringLiteral("Ann"));
-        QCOMPARE(ExportHairDialog(twoGroups(), choice).choice().author, QStringLiteral("Ann"));
+        QCOMPARE(choice.request.author, QStringLiteral("Ann"));
+        QCOMPARE(ExportHairDialog(twoGroups(), choice).choice().request.author, QStringLiteral("Ann"));
     }
 
     void a_head_that_makes_no_avatar_tells_why()

@@ -1,4 +1,5 @@
 // Nothing is cut off at the smallest sizes, in both themes and with long words; icons and themes are whole.
+#include "model/tools/tool_list.h"
 #include "panel_fixture.h"
 
 #include "tests/support/await.h"

@@ -1,7 +1,8 @@
-// Format, program, source, groups, number of hairs, tolerance, cards.
+// Format, program, source, groups, number of hairs, and what the format lets choose.
 #include "view/dialogs/export_hair_dialog.h"
 
 #include "model/values/names.h"
+#include "view/dialogs/export_option_fields.h"
 #include "view/look/theme.h"
 #include "view/widgets/bar_slider.h"
 
@@ -10,7 +11,6 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -18,13 +18,6 @@
 #include <algorithm>
 
 namespace hairpaint::view {
-
-namespace {
-
-constexpr double kMmPerMetre = 1000.0;
-constexpr double kGreatestToleranceMm = 5.0;
-
-} // namespace
 
 ExportHairDialog::ExportHairDialog(std::vector<ExportableGroup> groups, const HairExportChoice& before, QWidget* parent)
     : QDialog(parent), m_groups(std::move(groups))
@@ -56,6 +49,8 @@ ExportHairDialog::ExportHairDialog(std::vector<ExportableGroup> groups, const Ha
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     follow();
 }
+
+ExportHairDialog::~ExportHairDialog() = default;
 
 QComboBox* ExportHairDialog::addChoice(QFormLayout& form, const QString& label)
 {
@@ -91,48 +86,8 @@ QFormLayout* ExportHairDialog::buildForm()
     m_hairs->setExponent(2.0);
     m_hairs->setHint(tr("An even share of the hairs that are there."));
     form->addRow(m_hairs);
-    m_tolerance = new BarSlider(tr("Tolerance"), this);
-    m_tolerance->setRange(0.0, kGreatestToleranceMm, 2);
-    m_tolerance->setExponent(3.0);
-    m_tolerance->setDefaultValue(0.0);
-    m_tolerance->setUnit(tr("mm"));
-    m_tolerance->setHint(tr("Leaves out points of the hairs that lie so near to the line without them; with 0 all "
-                            "points are kept."));
-    form->addRow(m_tolerance);
-    addCardRows(*form);
+    m_options = std::make_unique<ExportOptionFields>(*form, *this);
     return form;
-}
-
-void ExportHairDialog::addCardRows(QFormLayout& form)
-{
-    using Cards = model::CardSettings;
-    m_triangles = new BarSlider(tr("Triangles"), this);
-    m_triangles->setRange(Cards::kFewestTriangles, Cards::kMostTriangles);
-    m_triangles->setExponent(2.0);
-    m_triangles->setDefaultValue(Cards{}.triangles);
-    m_triangles->setHint(tr("At most so many of all cards together: 2,000 to 8,000 for phones and avatars, 10,000 to "
-                            "20,000 for consoles and PCs."));
-    form.addRow(m_triangles);
-    m_atlas = addChoice(form, tr("Te&xture"));
-    for (int size = Cards::kSmallestAtlasPx; size <= Cards::kLargestAtlasPx; size *= 2)
-        m_atlas->addItem(tr("%1 × %1 pixels").arg(size), size);
-    m_levels = addChoice(form, tr("&Levels of detail"));
-    for (int levels = 1; levels <= Cards::kMostLevels; ++levels)
-        m_levels->addItem(QString::number(levels));
-    m_levels->setToolTip(tr("Each further one has half the triangles of the one before and shows the same texture; "
-                            "engines take it for hair that is far away."));
-    m_bones = new QCheckBox(tr("Spring &bones"), this);
-    m_bones->setToolTip(tr("Joints along the locks, so that avatar programs let the hair swing."));
-    form.addRow(QString(), m_bones);
-    m_withHead = new QCheckBox(tr("With the &head"), this);
-    m_withHead->setToolTip(tr("The head's mesh goes into the same file."));
-    form.addRow(QString(), m_withHead);
-    m_author = new QLineEdit(this);
-    m_author->setMaxLength(model::Avatar::kLongestText);
-    m_author->setPlaceholderText(tr("Unknown"));
-    m_author->setToolTip(
-        tr("Whom the avatar's file names as its author. Others may use it only as the author allows."));
-    form.addRow(tr("&Author"), m_author);
 }
 
 void ExportHairDialog::listGroups()
@@ -185,13 +140,7 @@ void ExportHairDialog::fill(const HairExportChoice& before)
     m_format->setCurrentIndex(static_cast<int>(before.request.format - model::exportFormats().data()));
     m_target->setCurrentIndex(static_cast<int>(before.request.target - model::exportTargets().data()));
     m_source->setCurrentIndex(static_cast<int>(before.source));
-    m_tolerance->setValue(static_cast<double>(before.request.curves.toleranceM) * kMmPerMetre);
-    m_triangles->setValue(before.request.cards.triangles);
-    m_atlas->setCurrentIndex(m_atlas->findData(before.request.cards.atlasPx));
-    m_levels->setCurrentIndex(before.request.cards.levels - 1);
-    m_bones->setChecked(before.request.cards.springBones);
-    m_withHead->setChecked(before.request.cards.withHead);
-    m_author->setText(before.author);
+    m_options->fill(before.request);
     m_hairs->setRange(0.0, 0.0);
 }
 
@@ -214,13 +163,7 @@ void ExportHairDialog::follow()
     const model::ExportFormat& format = model::exportFormats()[static_cast<std::size_t>(m_format->currentIndex())];
     // A format that has its own space is the same for every program.
     m_target->setEnabled(format.space != model::FormatSpace::Own);
-    for (QWidget* row : std::initializer_list<QWidget*>{m_triangles, m_atlas})
-        m_form->setRowVisible(row, format.hasCards);
-    for (QWidget* row : std::initializer_list<QWidget*>{m_levels, m_bones, m_withHead}) // An avatar's are given.
-        m_form->setRowVisible(row, format.hasCards && !format.isAvatar);
-    m_form->setRowVisible(m_author, format.isAvatar);
-    // Cards follow hairs by themselves.
-    m_form->setRowVisible(m_tolerance, !format.hasCards);
+    m_options->showFor(format);
     const auto hairs = static_cast<double>(hairsOfChosen());
     const bool isPossible = hairs > 0.0 && !(format.isAvatar && !m_avatarProblem.isEmpty());
     m_use->setText(isPossible    ? format.useText()
@@ -249,20 +192,13 @@ HairExportChoice ExportHairDialog::choice() const
     choice.request.format = &model::exportFormats()[static_cast<std::size_t>(m_format->currentIndex())];
     choice.request.target = &model::exportTargets()[static_cast<std::size_t>(m_target->currentIndex())];
     choice.source = static_cast<HairSource>(m_source->currentIndex());
-    choice.author = m_author->text();
     model::CurveOptions& curves = choice.request.curves;
     for (const ExportableGroup& group : m_groups)
         if (!isLeftOut(group))
             curves.groups.push_back({.id = group.id, .name = group.name});
     if (m_hairs->value() < m_hairs->maximum())
         curves.hairs = static_cast<std::size_t>(m_hairs->value());
-    const double toleranceMm = choice.request.format->hasCards ? 0.0 : m_tolerance->value();
-    curves.toleranceM = static_cast<float>(toleranceMm / kMmPerMetre);
-    choice.request.cards = {.triangles = static_cast<int>(m_triangles->value()),
-                            .atlasPx = m_atlas->currentData().toInt(),
-                            .levels = m_levels->currentIndex() + 1,
-                            .springBones = m_bones->isChecked(),
-                            .withHead = m_withHead->isChecked()};
+    m_options->put(choice.request);
     return choice;
 }
 

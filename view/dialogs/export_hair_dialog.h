@@ -7,6 +7,7 @@
 #include <QSet>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 class QCheckBox;
@@ -14,13 +15,13 @@ class QComboBox;
 class QDialogButtonBox;
 class QFormLayout;
 class QLabel;
-class QLineEdit;
 class QPushButton;
 class QScrollArea;
 
 namespace hairpaint::view {
 
 class BarSlider;
+class ExportOptionFields;
 
 /// Which hair is exported.
 enum class HairSource : std::uint8_t
@@ -41,10 +42,9 @@ struct ExportableGroup
 
 struct HairExportChoice
 {
-    model::ExportRequest request{
-        .format = &model::exportFormats().front(), .target = &model::exportTargets().front(), .curves = {}};
+    /// Without what the project gives.
+    model::ExportRequest request{.format = &model::exportFormats().front(), .target = &model::exportTargets().front()};
     HairSource source = HairSource::Now;
-    QString author{}; ///< Of avatars.
 };
 
 /// Not modal: it stays open beside the cards that it has shown. Nothing is exported by it: whoever hears its signals
@@ -53,9 +53,9 @@ class ExportHairDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// Begins with format, target, source, tolerance, cards and author of the choice before, and with all groups and
-    /// all hairs.
+    /// Begins with format, target, source and options of the choice before, and with all groups and all hairs.
     ExportHairDialog(std::vector<ExportableGroup> groups, const HairExportChoice& before, QWidget* parent = nullptr);
+    ~ExportHairDialog() override;
     [[nodiscard]] HairExportChoice choice() const;
     /// Why there can be no avatar of this head, a sentence; empty where there can.
     void setAvatarProblem(const QString& problem);
@@ -73,7 +73,6 @@ private:
     void fill(const HairExportChoice& before);
     [[nodiscard]] bool isLeftOut(const ExportableGroup& group) const;
     [[nodiscard]] std::size_t hairsOfChosen() const;
-    void addCardRows(QFormLayout& form);
     void follow();
 
     std::vector<ExportableGroup> m_groups;
@@ -85,13 +84,7 @@ private:
     QComboBox* m_target = nullptr;
     QComboBox* m_source = nullptr;
     BarSlider* m_hairs = nullptr;
-    BarSlider* m_tolerance = nullptr;
-    BarSlider* m_triangles = nullptr; ///< Seen with formats of cards, as are the next ones.
-    QComboBox* m_atlas = nullptr;
-    QComboBox* m_levels = nullptr;
-    QCheckBox* m_bones = nullptr;
-    QCheckBox* m_withHead = nullptr;
-    QLineEdit* m_author = nullptr; ///< Seen with formats of avatars.
+    std::unique_ptr<ExportOptionFields> m_options;
     QString m_avatarProblem;
     QLabel* m_use = nullptr;
     QDialogButtonBox* m_buttons = nullptr;

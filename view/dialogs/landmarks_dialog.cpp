@@ -36,7 +36,7 @@ const sim::HeadLandmarks& knownLandmarks()
     return *model::builtInHead()->landmarks;
 }
 
-/// Each at the nearest place of another head.
+/// Each at the nearest point of another head.
 sim::HeadLandmarks placesNear(const sim::HeadLandmarks& known, const sim::Skin& skin)
 {
     sim::HeadLandmarks landmarks = known;

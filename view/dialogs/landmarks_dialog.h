@@ -20,7 +20,7 @@ class LandmarksDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// The head has a skin. Where its landmarks are not known, places near those of the display bust are offered.
+    /// The head has a skin. Where its landmarks are not known, points near those of the display bust are offered.
     explicit LandmarksDialog(const std::shared_ptr<const model::Head>& head, QWidget* parent = nullptr);
     [[nodiscard]] const sim::HeadLandmarks& landmarks() const;
 

@@ -1,6 +1,7 @@
 // Tools, their settings and the running stroke.
 #include "view/editing/tool_box.h"
 
+#include "model/tools/tool_list.h"
 #include "view/editing/edit_target.h"
 #include "view/editing/view_options.h"
 #include "view/look/value_text.h"

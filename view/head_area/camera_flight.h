@@ -1,4 +1,4 @@
-// The camera's way to another view.
+// Moves the camera smoothly to another view.
 #pragma once
 
 #include "view/rendering/scene.h"
@@ -13,7 +13,7 @@ namespace hairpaint::view {
 class CameraFlight
 {
 public:
-    /// `move` gets each camera on the way.
+    /// `move` gets each camera in between.
     explicit CameraFlight(std::function<void(const rendering::Camera&)> move);
 
     void start(const rendering::Camera& from, const rendering::Camera& to); ///< Ends the one before where it is.

@@ -19,7 +19,7 @@ constexpr double kLeastApartPx = 12.0;
 constexpr double kMostHairs = 4000.0; ///< Over the whole picture, of which a head fills half.
 constexpr float kBald = 0.01F;
 
-/// Places of a picture, none nearer to another than a distance.
+/// Points of a picture, none nearer to another than a distance.
 class SpacedPlaces
 {
 public:
@@ -62,7 +62,7 @@ private:
 
     double m_apartPx;
     int m_columns, m_rows;
-    std::vector<std::optional<QPointF>> m_cells; ///< One place each.
+    std::vector<std::optional<QPointF>> m_cells; ///< One point each.
 };
 
 /// What a camera sees of head space.

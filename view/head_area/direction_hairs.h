@@ -35,7 +35,7 @@ private:
     {
         sim::SurfacePoint point;
         sim::SkinFrame frame;
-        glm::mat2 uvPerM{0.0F}; ///< From a way in the frame to one in uv.
+        glm::mat2 uvPerM{0.0F}; ///< From a vector in the frame to one in uv.
     };
     void takeSkin(const std::shared_ptr<const sim::Skin>& skin);
 

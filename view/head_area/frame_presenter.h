@@ -38,7 +38,7 @@ Q_SIGNALS:
     void frameDrawn(const hairpaint::rendering::FrameStatistics& statistics);
     /// Whether a still picture is being made finer; false once it is as fine as a saved one or something moves.
     void refining(bool on);
-    /// This way no picture can be drawn: one sentence.
+    /// Drawing by this presenter is not possible any more: one sentence that says why.
     void failed(const QString& reason);
 };
 

@@ -133,7 +133,7 @@ rendering::Camera lookingAt(const rendering::Camera& camera, glm::vec3 positionW
 bool hidden(const sim::SurfacePoint& point, const sim::Skin* skin, const rendering::Camera& camera,
             const sim::HeadPose& pose)
 {
-    constexpr float kNearM = 0.004F; // The picked place lies on the same bit of skin.
+    constexpr float kNearM = 0.004F; // The picked point lies on the same part of the skin.
     const glm::vec3 positionWo = inWorld(point.positionHd, pose);
     const glm::vec3 towardPoint = positionWo - camera.eyeWo();
     if (glm::dot(pose.rotation * point.normalHd, towardPoint) >= 0.0F || skin == nullptr)

@@ -32,12 +32,12 @@ struct RayWo
 [[nodiscard]] rendering::Camera panned(const rendering::Camera& start, QPointF pixels, QSizeF size);
 /// Factor above 1 comes nearer; what lies under `position` at the target's depth stays there.
 [[nodiscard]] rendering::Camera zoomed(const rendering::Camera& camera, double factor, QPointF position, QSizeF size);
-/// Turned so that skin with that normal faces the eye; moved there too where the place would not be seen.
+/// Turned so that skin with that normal faces the eye; moved there too where the point would not be seen.
 [[nodiscard]] rendering::Camera lookingAt(const rendering::Camera& camera, glm::vec3 positionWo, glm::vec3 normalWo);
-/// Whether the head hides a place of its skin from the camera.
+/// Whether the head hides a point of its skin from the camera.
 [[nodiscard]] bool hidden(const sim::SurfacePoint& point, const sim::Skin* skin, const rendering::Camera& camera,
                           const sim::HeadPose& pose);
-/// A ring around a place of the skin, in px; empty where a part lies behind the eye.
+/// A ring around a point of the skin, in px; empty where a part lies behind the eye.
 [[nodiscard]] QPolygonF ringSeen(const sim::SurfacePoint& point, float radiusM, const rendering::Camera& camera,
                                  const sim::HeadPose& pose, QSizeF size);
 /// Between two cameras, the short way round; t 0..1.

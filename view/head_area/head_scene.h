@@ -52,12 +52,12 @@ public:
     /// Whether that hair has its roots on the document's head.
     [[nodiscard]] bool isOnHead(const sim::StrandFrame& hair) const;
     void setHair(std::shared_ptr<const sim::StrandFrame> hair) { m_scene.hair = std::move(hair); }
-    /// In place of the hair; null: the hair again.
+    /// Instead of the hair; null: the hair again.
     void setCards(std::shared_ptr<const rendering::CardSet> cards) { m_scene.cards = std::move(cards); }
     /// Where the head stands in the frame that is shown.
     [[nodiscard]] sim::HeadPose shownPose() const;
 
-    /// Skin and background of the project, under a light that may be on its way to another.
+    /// Skin and background of the project, under a light that may be changing to another.
     void setEnvironment(const model::Project& project, const model::LightSettings& light);
 
     bool refreshRings(); ///< Whether a ring was shown or is now.

@@ -16,7 +16,7 @@ constexpr double kProbePx = 3.0; ///< A gap in the skin narrower than this may b
 constexpr int kMostProbes = 400;
 constexpr float kBehindM = 0.03F; ///< So much further at the next probe lies behind, or in front of, the last one.
 
-/// Whether a stroke breaks between two neighbouring places of the screen.
+/// Whether a stroke breaks between two neighbouring points of the screen.
 bool breaksBetween(const std::optional<sim::SurfacePoint>& a, const std::optional<sim::SurfacePoint>& b)
 {
     return a.has_value() != b.has_value() || (a && b && glm::length(a->positionHd - b->positionHd) > kBehindM);

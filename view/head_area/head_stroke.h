@@ -11,8 +11,8 @@ namespace hairpaint::view {
 class EditorState;
 class HeadScene;
 
-/// Where the ray misses the skin between two events, or goes on behind, the stroke breaks: the tool gets the last place
-/// before, then none, then the first place after. GUI thread; all that it is made of must outlive it.
+/// Where the ray misses the skin between two events, or goes on behind, the stroke breaks: the tool gets the last point
+/// before, then none, then the first point after. GUI thread; all that it is made of must outlive it.
 class HeadStroke
 {
 public:

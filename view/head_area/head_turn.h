@@ -31,8 +31,8 @@ public:
     /// Goes through a motion once, from however the head is turned now; nothing while it is held by a drag.
     void play(sim::NeckMotion motion);
     void turnBack(); ///< Ends a motion: the head comes back from where it is; nothing while it is held by a drag.
-    void setPaused(bool paused); ///< As the hair is: a motion and the way back wait.
-    /// The motion or the way back goes on by so much time, as it does by itself in real time; nothing while it waits.
+    void setPaused(bool paused); ///< As the hair is: a motion and the return wait.
+    /// The motion or the return goes on by so much time, as it does by itself in real time; nothing while it waits.
     void advance(double passedSeconds);
     /// Not while they wait.
     [[nodiscard]] bool moving() const { return m_tick.isActive(); }
@@ -47,10 +47,10 @@ private:
 
     sim::Neck m_neck;
     sim::NeckAngles m_angles;
-    sim::NeckAngles m_before; ///< Where the drag, the motion or the way back began.
+    sim::NeckAngles m_before; ///< Where the drag, the motion or the return began.
     sim::HeadPose m_pose;
-    std::optional<sim::NeckMotion> m_motion; ///< Added to the way back.
-    std::optional<double> m_seconds;         ///< Since the motion or the way back began; none where there is neither.
+    std::optional<sim::NeckMotion> m_motion; ///< Added to the return.
+    std::optional<double> m_seconds;         ///< Since the motion or the return began; none where there is neither.
     QElapsedTimer m_sinceTick;
     QTimer m_tick;
     bool m_paused = false;

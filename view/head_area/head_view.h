@@ -48,7 +48,7 @@ public:
     /// Hair of a project that is open no more is not shown.
     void setFrame(std::shared_ptr<const sim::StrandFrame> frame);
 
-    /// In place of the hair, until that becomes another; null: the hair again.
+    /// Instead of the hair, until that becomes another; null: the hair again.
     void showCards(std::shared_ptr<const rendering::CardSet> cards);
     [[nodiscard]] bool cardsShown() const;
 
@@ -68,7 +68,7 @@ public:
     [[nodiscard]] QString rendererDescription() const;
 
     [[nodiscard]] bool weatherShown() const;
-    /// Whether more is to be drawn without anybody's doing: a picture is asked for, the view is on its way somewhere,
+    /// Whether more is to be drawn without anybody's doing: a picture is asked for, the camera is moving,
     /// or what is shown counts as still in a moment and is drawn finer.
     [[nodiscard]] bool awake() const;
     /// Whether a still picture is being made finer just now.
@@ -84,7 +84,7 @@ public Q_SLOTS:
     void fit();         ///< The head with all of its hair, from where the camera looks now.
     /// The head goes through it once, so that the hair swings; not while it is dragged. Outside undo.
     void moveHead(hairpaint::sim::NeckMotion motion);
-    void turnToBrush();    ///< So that the place shows where the brush was last, in whichever area.
+    void turnToBrush();    ///< So that the point where the brush was last is seen, in whichever area.
     void addCollider();    ///< Where the brush was last, half in the head; it is chosen, and all of them are shown.
     void removeCollider(); ///< The chosen one.
     void setHairPaused(bool paused);  ///< Says so over the picture.
@@ -96,7 +96,7 @@ Q_SIGNALS:
     /// `done`: false while it is being changed (a preview), true for the last one (one undo step).
     void lightWanted(const hairpaint::model::LightSettings& light, bool done);
     void windWanted(const hairpaint::sim::Wind& wind, bool done);
-    void ownHairShown(); ///< Of a project that was opened: it is on the screen now, in place of what was there before.
+    void ownHairShown(); ///< Of a project that was opened: it is on the screen now, instead of what was there before.
     void frameDrawn(const hairpaint::rendering::FrameStatistics& statistics);
     void glUnavailable(const QString& reason); ///< The graphics card can't draw; our own renderer goes on.
     void statusText(const QString& text);

@@ -26,7 +26,7 @@ rendering::Light sceneLight(const model::LightSettings& settings)
             .scattering = static_cast<rendering::Scattering>(settings.scattering)};
 }
 
-rendering::Skin sceneSkin(model::SkinTone tone)
+rendering::SkinShading sceneSkin(model::SkinTone tone)
 {
     const model::SkinLook& look = model::skinLook(tone);
     return {.colour = linearColour(look.skin),

@@ -7,7 +7,7 @@
 namespace hairpaint::view {
 
 [[nodiscard]] rendering::Light sceneLight(const model::LightSettings& settings);
-[[nodiscard]] rendering::Skin sceneSkin(model::SkinTone tone);
+[[nodiscard]] rendering::SkinShading sceneSkin(model::SkinTone tone);
 /// An sRGB colour in linear light.
 [[nodiscard]] glm::vec3 linearColour(QRgb encoded);
 

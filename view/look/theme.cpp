@@ -12,7 +12,7 @@ namespace hairpaint::view {
 
 namespace {
 
-/// Every colour once: its name in the style sheet, its place in Theme, and what it is in either theme.
+/// Every colour once: its name in the style sheet, its member of Theme, and what it is in either theme.
 struct ColourRow
 {
     const char* name;

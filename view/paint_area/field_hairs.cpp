@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSpacingPx = 11.0; ///< To twice that, by the zoom.
 
-/// A place within a cell, 0..1: not at its edges, where two hairs would meet. The same for the same cell.
+/// A position within a cell, 0..1: not at its edges, where two hairs would meet. The same for the same cell.
 double jitter(int column, int row, std::uint32_t salt)
 {
     std::uint32_t h = static_cast<std::uint32_t>(column) * 0x9E3779B1U ^ static_cast<std::uint32_t>(row) * 0x85EBCA77U ^

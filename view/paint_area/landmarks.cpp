@@ -1,4 +1,4 @@
-// A head's landmarks as places of the flat map.
+// A head's landmarks as points of the flat map.
 #include "view/paint_area/landmarks.h"
 
 #include <QCoreApplication>

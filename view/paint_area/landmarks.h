@@ -1,4 +1,4 @@
-// Names of places on the head, for the paint area.
+// Names of landmarks of the head, for the paint area.
 #pragma once
 
 #include "model/project/project.h"
@@ -17,7 +17,7 @@ struct Landmark
 
 [[nodiscard]] QString landmarkName(sim::HeadLandmark landmark); ///< Translated.
 
-/// Places on the skin, so they follow the layout: the head's landmarks, where "left ear" tells the sides apart. Of
+/// Points on the skin, so they follow the layout: the head's landmarks, where "left ear" tells the sides apart. Of
 /// heads whose landmarks are not known, the two sides where they are widest.
 [[nodiscard]] std::vector<Landmark> landmarksOf(const model::Head& head);
 

@@ -44,7 +44,7 @@ float shadeOf(glm::vec3 normalHd, float curvature)
     return std::clamp(0.15F + diffuse + hollow, 0.0F, 1.0F);
 }
 
-struct Corner
+struct ShadedCorner
 {
     glm::vec2 at; ///< Samples, y down.
     float shade;
@@ -55,7 +55,7 @@ float cross(glm::vec2 a, glm::vec2 b)
     return a.x * b.y - a.y * b.x;
 }
 
-void fillTriangle(const std::array<Corner, 3>& corners, int side, std::vector<float>& shades,
+void fillTriangle(const std::array<ShadedCorner, 3>& corners, int side, std::vector<float>& shades,
                   std::vector<std::uint8_t>& covered)
 {
     const float area = cross(corners[1].at - corners[0].at, corners[2].at - corners[0].at);
@@ -88,7 +88,7 @@ QImage bakeUvShading(const sim::HeadMesh& mesh, int side)
     std::vector<std::uint8_t> covered(count, 0);
     const std::vector<float> curvature = curvatures(mesh);
     for (const glm::uvec3& triangle : mesh.triangles) {
-        std::array<Corner, 3> corners{};
+        std::array<ShadedCorner, 3> corners{};
         for (std::size_t i = 0; i < 3; ++i) {
             const unsigned vertex = triangle[static_cast<int>(i)];
             const glm::vec2 uv = mesh.uvs[vertex];

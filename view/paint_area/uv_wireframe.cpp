@@ -120,8 +120,8 @@ std::vector<unsigned> UvWireframe::owners(double spacing) const
     }
 
     // Dijkstra from all seeds at once; parts without a seed (small islands close to others) own themselves.
-    using Entry = std::pair<double, unsigned>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    using Reached = std::pair<double, unsigned>;
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
     std::vector<double> best(m_paper.size(), 1e9);
     std::vector<unsigned> owner(m_paper.size(), kNobody);
     for (const unsigned seed : seeds) {

@@ -29,7 +29,7 @@ public:
     [[nodiscard]] int rowHeight() const { return m_rows == Rows::Layers ? 36 : 28; }
     [[nodiscard]] model::Id idAt(int row) const;
     static constexpr int kThumbnailSide = 28;
-    /// Lets the current row go at a place in the list; false where it stays.
+    /// Drops the current row at an index of the list; false where it stays.
     bool dropAt(QPoint position);
     /// Where the eye and the lock lie in a row.
     [[nodiscard]] static QRect eyeRect(const QRect& row);

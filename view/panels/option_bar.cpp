@@ -194,7 +194,7 @@ void OptionBar::build(Option& option, const model::ToolChoice& choice)
 {
     option.widget = box(this);
     auto* group = new QButtonGroup(option.widget);
-    for (const model::ToolChoice::Entry& entry : choice.entries) {
+    for (const model::ToolChoice::Item& entry : choice.entries) {
         QToolButton* button = toggle(QLatin1StringView(entry.icon), entry.titleText(), option.widget);
         const auto index = static_cast<double>(option.buttons.size());
         connect(button, &QToolButton::clicked, this, [this, row = option.row, index] { change(*row, index); });

@@ -21,7 +21,7 @@ public:
     /// `limit`: what keeps hairs from growing that are painted; it is noted, and explained where the pointer rests.
     void setHairs(qint64 drawn, qint64 all, sim::HairLimit limit = sim::HairLimit::None);
     void setSimulationMs(double milliseconds);
-    void setPaused(bool paused); ///< Stands in the place of the simulation's time.
+    void setPaused(bool paused); ///< Shown instead of the simulation's time.
     enum class Saved
     {
         NothingToSave, ///< A new project that nobody touched.

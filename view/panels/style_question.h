@@ -1,4 +1,4 @@
-// What the strip asks before a style takes the place of hair that it is not evidently about.
+// What the strip asks before a style replaces hair that it is not evidently about.
 #pragma once
 
 #include <QList>

@@ -10,7 +10,7 @@ class QToolButton;
 
 namespace hairpaint::view {
 
-/// In place of the tooltips of the buttons it watches, whose text it shows. GUI thread.
+/// Instead of the tooltips of the buttons it watches, whose text it shows. GUI thread.
 class ToolHint : public QFrame
 {
     Q_OBJECT

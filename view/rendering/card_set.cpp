@@ -16,7 +16,7 @@ float linearOfEncoded(float encoded)
     return encoded * (encoded * (encoded * 0.305306011F + 0.682171111F) + 0.012522878F);
 }
 
-/// The derivative of the place by v, times a number that is positive; 0 where the texture has no area.
+/// The derivative of the position by v, times a positive number; 0 where the texture has no area.
 glm::vec3 alongV(const CardCorner& a, const CardCorner& b, const CardCorner& c)
 {
     const glm::vec2 first = b.uv - a.uv;

@@ -1,4 +1,4 @@
-// Hair cards, ready to be drawn in place of strands.
+// Hair cards, ready to be drawn instead of strands.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -31,7 +31,7 @@ inline constexpr float kMovingToleranceSp = 0.5F;
 struct DepthOfCoat
 {
     float undrawnCoverings; ///< Of hair in front, from which on nothing is drawn.
-    /// Those lie in every column of the grid around a place, not only between them: what looks out beside a dense lock
+    /// Those lie in every column of the grid around a point, not only between them: what looks out beside a dense lock
     /// is drawn. A seventh slower.
     bool inEveryColumn;
     float widest;        ///< That hidden hair becomes where fewer stand for more, samples.

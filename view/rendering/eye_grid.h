@@ -5,9 +5,9 @@
 
 namespace hairpaint::rendering {
 
-/// Its columns follow the rays through the picture's places, so that what lies before another in a column hides it, and
+/// Its columns follow the rays through the picture's points, so that what lies before another in a column hides it, and
 /// so that there are as many for the part of the hair that is seen, however near the camera is.
-/// A place is (normalised device x and y, distance along the view in m), less `low`, times `per`: 0..1.
+/// A position is (normalised device x and y, distance along the view in m), less `low`, times `per`: 0..1.
 struct EyeGrid
 {
     glm::vec3 low{0.0F};

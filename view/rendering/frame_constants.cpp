@@ -37,7 +37,7 @@ struct Extent
         low.fill(std::numeric_limits<float>::max());
         high.fill(std::numeric_limits<float>::lowest());
     }
-    /// Sixteen places; what is not a number is none.
+    /// Sixteen positions; what is not a number is none.
     void add(const Row& x, const float* y, const float* z, glm::vec3 direction)
     {
         for (std::size_t i = 0; i < sim::kLanes; ++i) {

@@ -43,7 +43,7 @@ struct Light
 };
 
 /// What the head's skin looks like. Colours are linear.
-struct Skin
+struct SkinShading
 {
     glm::vec3 colour{0.51F, 0.455F, 0.412F};
     glm::vec3 lips{0.46F, 0.38F, 0.33F};
@@ -51,7 +51,7 @@ struct Skin
     float scatter = 0.25F; ///< 0..1: how far light spreads within it, red furthest.
     float grain = 0.25F;   ///< 0..1: how deep pores and fine lines are.
     float sheen = 0.6F;    ///< 0..1: how much of the light it reflects without taking its colour.
-    friend bool operator==(const Skin&, const Skin&) = default;
+    friend bool operator==(const SkinShading&, const SkinShading&) = default;
 };
 
 /// The brush ring on the skin: drawn as a line around `radiusM`, and hair inside fades.
@@ -68,10 +68,10 @@ struct Scene
     std::shared_ptr<const sim::HeadMesh> head;
     std::shared_ptr<const sim::HeadMesh> headInMotion; ///< Coarser, for frames whose view changes; null: as `head`.
     std::shared_ptr<const sim::StrandFrame> hair;
-    std::shared_ptr<const CardSet> cards; ///< In place of the hair, which still tells how the head is held; null: none.
+    std::shared_ptr<const CardSet> cards; ///< Instead of the hair, which still tells how the head is held; null: none.
     Camera camera;
     Light light;
-    Skin skin;
+    SkinShading skin;
     glm::vec3 background{0.03F}; ///< Linear.
     bool transparent = false;    ///< No background: pixels tell how much of them is covered; see Capabilities.
     std::optional<Ring> ring;

@@ -47,6 +47,14 @@ std::optional<StandardView> standardViewNamed(std::string_view name)
     return std::nullopt;
 }
 
+std::vector<std::string_view> standardViewNames()
+{
+    std::vector<std::string_view> names;
+    for (const NamedView& entry : kViews)
+        names.push_back(entry.name);
+    return names;
+}
+
 std::optional<Fit> fitNamed(std::string_view name)
 {
     constexpr std::array<std::pair<std::string_view, Fit>, 3> names = {

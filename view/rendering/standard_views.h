@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace hairpaint::rendering {
 
@@ -23,6 +24,9 @@ enum class StandardView
 /// "front", "back", "left", "right", "top", "bottom", "three-quarter"; none for anything else. Left shows the head's
 /// own left side.
 [[nodiscard]] std::optional<StandardView> standardViewNamed(std::string_view name);
+
+/// All of those names, in the order of StandardView.
+[[nodiscard]] std::vector<std::string_view> standardViewNames();
 
 /// What a picture frames.
 enum class Fit

@@ -17,7 +17,7 @@ struct BarPicture
     QString label; ///< Left; shortened where the value leaves no room.
     QString value; ///< Right.
     double fraction = 0.0;
-    QList<QColor> gradient; ///< A map's scale, in place of the plain fill.
+    QList<QColor> gradient; ///< A map's scale, instead of the plain fill.
     double exponent = 1.0;  ///< How the scale is spread over the bar.
     bool enabled = true;
     bool hovered = false;

@@ -1,4 +1,4 @@
-// Lies over an area whose picture is not what it will be in a moment, and says what is on its way.
+// Lies over an area whose picture is not up to date yet, and says what is awaited.
 #pragma once
 
 #include <QWidget>

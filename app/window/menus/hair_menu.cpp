@@ -10,7 +10,7 @@ HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, v
     : QMenu(title, parent), m_faceHair(session, jobs, *parent->window()), m_holdHair(session, exchange.hair(), jobs)
 {
     sidebar.hair().setGrow([&jobs](const model::HairKind& kind, const std::shared_ptr<const model::Head>& head) {
-        return FaceHair::grow(jobs, kind, head);
+        return growHair(jobs, kind, head);
     });
     addWeather(actions, session, head, dialogs);
     addSkin(actions, session);

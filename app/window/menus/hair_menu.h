@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/exchange/exchange.h"
-#include "app/styles/face_hair.h"
+#include "app/styles/face_hair_switch.h"
 #include "app/window/action_set.h"
 #include "app/window/hold_hair.h"
 #include "app/window/window_dialogs.h"
@@ -28,7 +28,7 @@ private:
     void addColliders(ActionSet& actions, Session& session, view::HeadView& head);
     void addMotions(ActionSet& actions, Session& session, view::HeadView& head);
 
-    FaceHair m_faceHair;
+    FaceHairSwitch m_faceHair;
     HoldHair m_holdHair;
 };
 

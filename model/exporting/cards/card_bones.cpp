@@ -18,7 +18,7 @@ BoneChain chainAlong(const HairLock& lock, std::size_t group)
     return chain;
 }
 
-/// How many joints of the chain lie before the place, with a fraction.
+/// How many joints of the chain lie before the point, with a fraction.
 float jointsBefore(const BoneChain& chain, const glm::vec3& placeWo)
 {
     float least = 0.0F;

@@ -1,4 +1,4 @@
-// Cards are made, and all files written beside their places.
+// Cards are made, and all files staged beside their targets.
 #include "model/exporting/cards/card_file.h"
 
 #include "model/disk/atomic_file.h"

@@ -13,7 +13,7 @@ namespace hairpaint::model {
 [[nodiscard]] QStringList cardImagePlaces(const QString& path);
 
 /// A mesh a group, all with one material: base colour with alpha, cut off at kCardCutoff, and normals; other images
-/// beside it. All files take their places together, or none does. Any thread.
+/// beside it. All files are replaced together, or none is. Any thread.
 [[nodiscard]] Result<void> writeCardFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                                          const Progress& progress = {});
 

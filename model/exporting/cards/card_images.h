@@ -19,7 +19,7 @@ struct CardTexel
     glm::u8vec3 flow{128, 0, 128};     ///< Direction toward the tip there, red to the right, green up.
     std::uint8_t rootToTip = 0;        ///< 0 at the root.
     std::uint8_t strandId = 0;         ///< By chance.
-    std::uint8_t occlusion = 255;      ///< 255 where nothing is in the way of light.
+    std::uint8_t occlusion = 255;      ///< 255 where nothing occludes the light.
     std::uint8_t depth = 128;          ///< Higher is nearer to the onlooker; 128 on the card.
 };
 

@@ -31,8 +31,8 @@ void addCap(const HairCards& cards, const CardLevel& level, std::size_t group, C
     const AtlasPatch& patch = cards.capPatch(group);
     const ScalpCap& cap = *level.caps[group];
     const auto atlasPx = static_cast<float>(cards.images.size());
-    mesh.vertices.reserve(cap.corners.size());
-    for (const ScalpCap::Corner& corner : cap.corners) {
+    mesh.vertices.reserve(cap.vertices.size());
+    for (const ScalpCap::Vertex& corner : cap.vertices) {
         // To the right on the flattened skin is about across the way out, seen from there.
         const glm::vec3 right = glm::cross(cap.upWo(), corner.normalWo);
         const float length = glm::length(right);

@@ -59,7 +59,7 @@ void reachOut(const SampledHair& hair, const HairLock& lock, Vectors& path)
         path.front() = path.back() - kShortestM * tangents.back();
 }
 
-/// Turned outward, and from one place to the next no more than that asks.
+/// Turned outward, with the least rotation from one cross-section to the next.
 Vectors normalsOf(const Vectors& path, const Vectors& tangents, const HairField& field)
 {
     const auto projected = [](const glm::vec3& vector, const glm::vec3& tangent) {

@@ -9,8 +9,8 @@
 
 namespace hairpaint::model {
 
-/// A place across the strip. Side, normal and tangent (toward the tip) are unit and at right angles: seen from outside
-/// with the root up, the side points right.
+/// A cross-section of the strip. Side, normal and tangent (toward the tip) are unit and at right angles: seen from
+/// outside with the root up, the side points right.
 struct StripNode
 {
     glm::vec3 middleWo{0.0F};

@@ -1,4 +1,4 @@
-// Bisecting 2-means (Steinbach, Karypis and Kumar 2000) over the places of hairs.
+// Bisecting 2-means (Steinbach, Karypis and Kumar 2000) over the samples of hairs.
 #include "model/exporting/cards/lock_tree.h"
 
 #include "model/exporting/curve_simplify.h"

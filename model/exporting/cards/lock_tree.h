@@ -17,7 +17,7 @@ struct HairLock
     float spreadM = 0.0F; ///< Root of the mean squared distance from there.
 };
 
-/// Which of its places a strip along the lock has nodes at, both ends among them.
+/// At which of the lock's samples a strip along it has nodes, both ends among them.
 void stripPlaces(const HairLock& lock, std::vector<std::uint16_t>& kept);
 
 /// Of a strip along it: two a segment.

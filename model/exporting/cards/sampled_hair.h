@@ -1,4 +1,4 @@
-// Hair in equally many places a strand, to be compared and put together.
+// Hair with equally many samples a strand, to be compared and put together.
 #pragma once
 
 #include "model/exporting/curve_set.h"
@@ -10,7 +10,7 @@
 
 namespace hairpaint::model {
 
-/// The hairs of a set, or an even share of them where there are very many.
+/// The hairs of a set, or an evenly spread subset where there are very many.
 struct SampledHair
 {
     static constexpr std::size_t kPlaces = 40; ///< A hair, root and tip included, equally far along it.
@@ -19,7 +19,7 @@ struct SampledHair
     std::vector<std::uint32_t> curve; ///< By hair: index into CurveSet::curves().
     std::vector<float> lengthM;       ///< By hair.
     std::vector<float> widthM;        ///< By hair: diameter at the root; wider where it stands for others too.
-    /// [hairs][kPlaces], Wo, m. The root, then means over a stretch around each place, so that narrow curls become the
+    /// [hairs][kPlaces], Wo, m. The root, then means over a stretch around each sample, so that narrow curls become the
     /// axis that they run round.
     std::vector<glm::vec3> placesWo;
 

@@ -42,7 +42,7 @@ std::vector<glm::uvec3> hairyTriangles(const sim::CoarseMesh& coarse, const sim:
     return kept;
 }
 
-/// Roots' mean direction and the place from which they are seen all around.
+/// The roots' mean direction and the point around which they lie.
 void setView(const CurveSet& set, const SampledHair& hair, ScalpCap& cap)
 {
     const sim::HeadPose& pose = set.pose();
@@ -117,13 +117,13 @@ std::optional<ScalpCap> capOver(const CurveSet& set, const SampledHair& hair, st
             return corner[cluster];
         const sim::SurfacePoint point = skin->nearest(coarse.mesh.positionsHd[cluster]);
         const glm::vec3 placeHd = point.positionHd + kAboveSkinM * point.normalHd;
-        ScalpCap::Corner made{.placeWo = pose.rotation * placeHd + pose.positionWo,
+        ScalpCap::Vertex made{.placeWo = pose.rotation * placeHd + pose.positionWo,
                               .normalWo = pose.rotation * point.normalHd};
         made.flatM = cap.flat(made.placeWo);
         cap.leastM = glm::min(cap.leastM, made.flatM);
         cap.greatestM = glm::max(cap.greatestM, made.flatM);
-        corner[cluster] = static_cast<unsigned>(cap.corners.size());
-        cap.corners.push_back(made);
+        corner[cluster] = static_cast<unsigned>(cap.vertices.size());
+        cap.vertices.push_back(made);
         return corner[cluster];
     };
     const auto isBehind = [&](const glm::uvec3& triangle) {
@@ -141,9 +141,9 @@ std::optional<ScalpCap> capOver(const CurveSet& set, const SampledHair& hair, st
             triangle[i] = cornerOf(triangle[i]);
     // Where the coarse skin folds over, it is turned to face outward.
     for (glm::uvec3& triangle : cap.triangles) {
-        const ScalpCap::Corner& first = cap.corners[triangle.x];
-        const glm::vec3 face = glm::cross(cap.corners[triangle.y].placeWo - first.placeWo,
-                                          cap.corners[triangle.z].placeWo - first.placeWo);
+        const ScalpCap::Vertex& first = cap.vertices[triangle.x];
+        const glm::vec3 face = glm::cross(cap.vertices[triangle.y].placeWo - first.placeWo,
+                                          cap.vertices[triangle.z].placeWo - first.placeWo);
         if (glm::dot(face, first.normalWo) < 0.0F)
             std::swap(triangle.y, triangle.z);
     }

@@ -15,13 +15,13 @@ inline constexpr float kShortestOnStripsM = 0.006F;
 /// A piece of a head's skin, a little above it, spread out flat.
 struct ScalpCap
 {
-    struct Corner
+    struct Vertex
     {
         glm::vec3 placeWo{0.0F};
         glm::vec3 normalWo{0.0F, 1.0F, 0.0F};
         glm::vec2 flatM{0.0F}; ///< See flat().
     };
-    std::vector<Corner> corners;
+    std::vector<Vertex> vertices;
     std::vector<glm::uvec3> triangles; ///< Counter-clockwise from outside.
     std::vector<std::uint32_t> hairs;  ///< Of SampledHair.
     glm::vec2 leastM{0.0F};            ///< Of what is flat.
@@ -30,7 +30,7 @@ struct ScalpCap
     glm::vec3 axisWo{0.0F, 1.0F, 0.0F};
     float radiusM = 0.1F;
 
-    /// Where a place lies on the flattened skin: as far from the middle as the angle from the axis tells, and at its
+    /// Where a position lies on the flattened skin: as far from the middle as the angle from the axis tells, and at its
     /// own direction around it (azimuthal equidistant projection). Right is to the right, seen from outside, down is
     /// down.
     [[nodiscard]] glm::vec2 flat(const glm::vec3& placeWo) const;

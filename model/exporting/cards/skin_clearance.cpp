@@ -1,4 +1,4 @@
-// The strip's surface is tried at places along and across each segment; what is too low lifts the segment's ends.
+// The strip's surface is sampled along and across each segment; what is too low lifts the segment's ends.
 #include "model/exporting/cards/skin_clearance.h"
 
 #include "sim/skin/skin.h"
@@ -14,7 +14,7 @@ constexpr float kDeepestM = 0.02F; ///< Deeper is not what a strip's straightnes
 constexpr int kLiftRounds = 8;
 constexpr int kStepsAlong = 4;
 
-/// How a place has to move to be clear of the skin, Wo; 0 where it is.
+/// How a point has to move to be clear of the skin, Wo; 0 where it is.
 glm::vec3 wayOut(const sim::Skin& skin, const sim::HeadPose& pose, const glm::vec3& placeWo)
 {
     const glm::vec3 placeHd = glm::conjugate(pose.rotation) * (placeWo - pose.positionWo);

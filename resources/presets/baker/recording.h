@@ -5,6 +5,7 @@
 #include "model/styles/preset.h"
 #include "model/tools/selection.h"
 #include "model/tools/tool.h"
+#include "model/tools/tool_list.h"
 
 #include <memory>
 #include <span>

@@ -79,7 +79,7 @@ struct GlRenderer::State
     SkinShade shade;
     RingPass rings;
     std::array<Program, 3> resolve; ///< For 1, 2 and 4 samples a pixel.
-    Program smooth;                 ///< In place of more samples.
+    Program smooth;                 ///< Instead of more samples.
     VertexArray noVertices;
     Buffer constants;
     Framebuffer framebuffer;

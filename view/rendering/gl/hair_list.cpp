@@ -64,7 +64,7 @@ bool HairList::update(const std::shared_ptr<const sim::Groom>& groom, float deta
             const ChunkPart& part = m_parts[c];
             const auto chunkBase = static_cast<std::uint32_t>(std::max(groom->packedChunk[c], 0)) * sim::kChunkSlots;
             for (std::size_t e = part.begin[step]; e < part.begin[step + 1]; ++e) {
-                const Entry& entry = part.entries[e];
+                const IndexedStrand& entry = part.entries[e];
                 if (!(entry.detail < detail))
                     continue;
                 const int segments = std::max(entry.curveSegments * wanted.curlFactor, wanted.ofStraightHair);

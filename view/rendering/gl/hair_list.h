@@ -38,7 +38,7 @@ public:
 
 private:
     static constexpr std::size_t kSteps = 64; ///< Of detail.
-    struct Entry
+    struct IndexedStrand
     {
         std::uint16_t slot;
         std::uint16_t curveSegments; ///< That curl and braid ask for.
@@ -47,7 +47,7 @@ private:
     struct ChunkPart
     {
         std::shared_ptr<const sim::StrandChunk> chunk;
-        std::vector<Entry> entries; ///< By step of detail, then slot.
+        std::vector<IndexedStrand> entries; ///< By step of detail, then slot.
         std::array<std::uint16_t, kSteps + 1> begin{};
     };
     /// `part` names its chunk only when it is done.

@@ -17,7 +17,7 @@ public:
     [[nodiscard]] static tl::expected<std::unique_ptr<HeadLayer>, std::string> create();
 
     /// Draws `head` (may be null) with the constants bound to uniform buffer 0. Where the view differs from the call
-    /// before, `inMotion` is drawn in its place, unless null, and `head` in the first call that does not differ.
+    /// before, `inMotion` is drawn instead, unless null, and `head` in the first call that does not differ.
     /// `cards`: null where there are none. False where the last picture still holds.
     bool draw(const std::shared_ptr<const sim::HeadMesh>& head, const std::shared_ptr<const sim::HeadMesh>& inMotion,
               const std::shared_ptr<const CardSet>& cards, const FrameConstants& constants);

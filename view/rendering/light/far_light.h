@@ -1,4 +1,4 @@
-// What hair and skin share of the light.
+// The part of the light that hair and skin both use.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -1,4 +1,4 @@
-// What the scattering models of a fibre share: angles against its tangent, and light lost on the way through it.
+// What the scattering models of a fibre have in common: angles against its tangent, and absorption inside it.
 #if defined(HAIRPAINT_RENDERING_FIBRE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIRPAINT_RENDERING_FIBRE_INL_H_
 #undef HAIRPAINT_RENDERING_FIBRE_INL_H_

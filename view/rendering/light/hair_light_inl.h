@@ -1,5 +1,5 @@
 // Light on a point of a hair, as hair_light.glsl has it: scattered once by the hair itself, many times by the coat, and
-// held back by the hair and the head in its way.
+// attenuated by the hair and the head in front of it.
 #if defined(HAIRPAINT_RENDERING_HAIR_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIRPAINT_RENDERING_HAIR_LIGHT_INL_H_
 #undef HAIRPAINT_RENDERING_HAIR_LIGHT_INL_H_
@@ -68,7 +68,7 @@ struct CoatPoint
 /// was painted (test_painted_colour).
 inline constexpr float kCoat = 1.1F;
 
-/// Light of one lamp: `passed` is what comes through the hair on its way.
+/// Light of one lamp: `passed` is the fraction that the hair in front transmits.
 template<LobeSet set, class F>
 HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, const HairPoint<F>& point,
                              const CoatPoint<F>& coat, const Passed<F>& passed)

@@ -1,6 +1,6 @@
 // Light scattered once by a fibre: Marschner and others 2003 with lobes that keep their energy.
 // Longitudinally a Gaussian of the half angle, azimuthally the exact reflection (R) and powers of cosines for what goes
-// through (TT) and what comes back from the far side (TRT). Each is unchanged when light and eye trade places. Summed
+// through (TT) and what comes back from the far side (TRT). Each is unchanged when light and eye are exchanged. Summed
 // over all directions the lobes give 1 without absorption, less the 1/200 that is reflected inside more than once.
 #if defined(HAIRPAINT_RENDERING_MARSCHNER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIRPAINT_RENDERING_MARSCHNER_INL_H_
@@ -76,7 +76,7 @@ HWY_INLINE FibreLobes<F> marschner(const FibreShape& shape, const FibreAngles<F>
 
     FibreLobes<F> lobes;
     lobes.r = longitudinal(shape, 0, twiceSinH, perCosD) * reflectance(at.cosD * cosHalf) * cosHalf * F(0.25F);
-    // Refraction bends inclined rays up, so that their way is at most 1/cos(40 degrees) longer.
+    // Refraction bends inclined rays up, so that their path is at most 1/cos(40 degrees) longer.
     const F sinSquare = one - at.cosD * at.cosD;
     const F way = one + sinSquare * (F(0.186F) + sinSquare * F(0.123F));
     lobes.through = absorbed(depth * way);

@@ -1,4 +1,4 @@
-// What the light on skin depends on besides the place.
+// What the light on skin depends on besides the position.
 #pragma once
 
 #include "view/rendering/light/environment.h"

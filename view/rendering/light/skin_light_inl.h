@@ -93,7 +93,7 @@ HWY_INLINE Triple<Lanes> grained(const SkinLighting& given, const SkinPoint<Lane
     return unit(n - (turned - n * dot(turned, n)));
 }
 
-/// Sky that reaches a place of which `sky` is open, light thrown back by the skin around it included: Jimenez and
+/// Sky that reaches a point of which `sky` is open, light thrown back by the skin around it included: Jimenez and
 /// others, Practical Realtime Strategies for Accurate Indirect Occlusion.
 template<class F>
 HWY_INLINE F openness(F sky, F albedo)
@@ -151,7 +151,7 @@ HWY_INLINE Triple<Lanes> skinLight(const SkinLighting& given, const SkinPoint<La
     return lit + gloss * F(given.sheen);
 }
 
-/// Light that comes through the hair between a place and the end of a grid. What is blended between neighbours is the
+/// Light that comes through the hair between a point and the end of a grid. What is blended between neighbours is the
 /// light, not the hair: a plait holds so much of it that the least part of its voxel would be dark.
 HWY_INLINE Lanes lightThrough(const std::uint32_t* grid, int side, const Triple<Lanes>& place, float strength)
 {

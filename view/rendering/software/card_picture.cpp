@@ -56,7 +56,7 @@ void CardPicture::place(const CardSet& cards, const FrameConstants& constants)
         for (std::size_t i = begin; i < end; ++i) {
             const CardCorner& given = cards.corners[i];
             const glm::vec4 clip = constants.projectionFromWo * (constants.woFromHd * glm::vec4(given.placeHd, 1.0F));
-            Corner& corner = m_corners[i];
+            ProjectedVertex& corner = m_corners[i];
             corner.perDistance = clip.w > kNearestCardM ? 1.0F / clip.w : 0.0F;
             corner.x = (clip.x * corner.perDistance * 0.5F + 0.5F) * constants.target.x;
             corner.y = (clip.y * corner.perDistance * 0.5F + 0.5F) * constants.target.y;
@@ -72,9 +72,9 @@ bool CardPicture::drawBand(const CardBand& band) const
     const auto lowest = static_cast<float>(band.firstRow);
     const auto highest = static_cast<float>(band.endRow);
     for (const glm::uvec3& corners : m_cards->triangles) {
-        const Corner& a = m_corners[corners.x];
-        const Corner& b = m_corners[corners.y];
-        const Corner& c = m_corners[corners.z];
+        const ProjectedVertex& a = m_corners[corners.x];
+        const ProjectedVertex& b = m_corners[corners.y];
+        const ProjectedVertex& c = m_corners[corners.z];
         if (!(std::max({a.y, b.y, c.y}) >= lowest && std::min({a.y, b.y, c.y}) <= highest) ||
             std::min({a.perDistance, b.perDistance, c.perDistance}) <= 0.0F)
             continue;
@@ -91,8 +91,8 @@ bool CardPicture::drawBand(const CardBand& band) const
 }
 
 /// Counter-clockwise on the picture; `area`: twice the triangle's.
-void CardPicture::drawTriangle(const CardBand& band, const Corner& a, const Corner& b, const Corner& c,
-                               float area) const
+void CardPicture::drawTriangle(const CardBand& band, const ProjectedVertex& a, const ProjectedVertex& b,
+                               const ProjectedVertex& c, float area) const
 {
     const auto whole = [](float at, int least, int most) {
         return static_cast<int>(std::clamp(std::floor(at), static_cast<float>(least), static_cast<float>(most)));

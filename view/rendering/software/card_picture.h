@@ -28,17 +28,18 @@ public:
     bool drawBand(const CardBand& band) const;
 
 private:
-    struct Corner
+    struct ProjectedVertex
     {
         float x = 0.0F, y = 0.0F; ///< Samples.
         float perDistance = 0.0F; ///< 1/m; 0 where it lies behind the eye.
         glm::vec2 uv{0.0F};
         glm::vec3 light{0.0F}; ///< That a white card throws back.
     };
-    void drawTriangle(const CardBand& band, const Corner& a, const Corner& b, const Corner& c, float area) const;
+    void drawTriangle(const CardBand& band, const ProjectedVertex& a, const ProjectedVertex& b,
+                      const ProjectedVertex& c, float area) const;
 
     const CardSet* m_cards = nullptr;
-    std::vector<Corner> m_corners;
+    std::vector<ProjectedVertex> m_corners;
 };
 
 } // namespace hairpaint::rendering

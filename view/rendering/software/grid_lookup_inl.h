@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
-/// 0..1 in the grid; a little before the place, so that a strand does not shade itself.
+/// 0..1 in the grid; a little before the point, so that a strand does not shade itself.
 HWY_INLINE Triple<Lanes> inGrid(const glm::mat4& gridFromWo, const Triple<Lanes>& p, float before)
 {
     const auto row = [&](int r, float less) {
@@ -25,14 +25,14 @@ HWY_INLINE Triple<Lanes> inGrid(const glm::mat4& gridFromWo, const Triple<Lanes>
     return {row(0, 0.0F), row(1, 0.0F), row(2, before)};
 }
 
-/// The same in the eye's grid, of a place of the picture.
+/// The same in the eye's grid, of a point of the picture.
 HWY_INLINE Triple<Lanes> inEyeGrid(const EyeGrid& grid, Lanes x, Lanes y, Lanes distanceM, float before)
 {
     return {(x - Lanes(grid.low.x)) * Lanes(grid.per.x), (y - Lanes(grid.low.y)) * Lanes(grid.per.y),
             (distanceM - Lanes(grid.low.z)) * Lanes(grid.per.z) - Lanes(before)};
 }
 
-/// Where a place lies between the middles of voxels; the outermost ones go on.
+/// Where a point lies between the middles of voxels; the outermost ones go on.
 struct GridPlace
 {
     Ints first; ///< Number of the lowest voxel.
@@ -58,7 +58,7 @@ HWY_INLINE GridPlace placeIn(int side, const Triple<Lanes>& place, int slices)
     return found;
 }
 
-/// In a slice of the grid: between the columns around the place, and the least of those.
+/// In a slice of the grid: between the columns around the point, and the least of those.
 struct SliceOpacity
 {
     Lanes mixed, least;
@@ -105,7 +105,7 @@ HWY_INLINE OpacityTwice opacityTwice(const std::uint32_t* grid, int side, const 
             mixed(near.least, middle.least, at.z)};
 }
 
-/// All of the column that the place lies in.
+/// All of the column that the point lies in.
 HWY_INLINE Lanes columnAt(const std::uint32_t* grid, int side, const Triple<Lanes>& place)
 {
     return sliceAt(grid, side, placeIn(side, {place.x, place.y, Lanes(0.0F)}, 2), side - 1);

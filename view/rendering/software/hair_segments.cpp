@@ -4,6 +4,7 @@
 #include "sim/groom/strand_curve.h"
 #include "view/rendering/drawn_fraction.h"
 #include "view/rendering/frame_lights.h"
+#include "view/rendering/software/strand_kernel.h"
 
 #include <algorithm>
 #include <limits>

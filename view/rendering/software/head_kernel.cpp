@@ -20,7 +20,7 @@ namespace hairpaint::rendering::HWY_NAMESPACE {
 constexpr std::int32_t kVertexFloats = sizeof(HeadVertex) / sizeof(float);
 constexpr int kNoTriangle = -1;
 
-/// Sixteen places in a sample at which its cover is taken, each alone in its row and column.
+/// Sixteen points in a sample at which its cover is taken, each alone in its row and column.
 alignas(64) constexpr float kPlaceX[kMostLanes] = {0.53125F, 0.78125F, 0.21875F, 0.96875F, 0.34375F, 0.65625F,
                                                    0.09375F, 0.84375F, 0.46875F, 0.03125F, 0.71875F, 0.28125F,
                                                    0.90625F, 0.15625F, 0.59375F, 0.40625F};
@@ -43,7 +43,7 @@ HWY_INLINE Side sideOf(const HeadVertex& from, const HeadVertex& to, float turn,
 struct BandScratch
 {
     std::vector<std::int32_t> triangle; ///< Nearest at each sample, of the band's numbers.
-    std::vector<std::uint16_t> cover;   ///< Bit per place.
+    std::vector<std::uint16_t> cover;   ///< Bit per point.
 };
 
 HWY_INLINE void rasterTriangle(const HeadBand& band, std::uint32_t number, BandScratch& scratch)
@@ -279,7 +279,7 @@ void shadeRows(const ShadeTask& task, int begin, int end)
             }
             float* out = task.shade + static_cast<std::size_t>(row) * static_cast<std::size_t>(task.across) +
                          static_cast<std::size_t>(cell);
-            // The place at that distance on the ray through the sample: through the far plane, scaled.
+            // The position at that distance on the ray through the sample: through the far plane, scaled.
             const Lanes px = loaded(atX) * Lanes(2.0F / task.sizeSp.x) - Lanes(1.0F);
             const Lanes py = loaded(atY) * Lanes(2.0F / task.sizeSp.y) - Lanes(1.0F);
             // Hair that lies so deep was left out: what is left to see through in front of it shows nothing behind.

@@ -16,7 +16,7 @@ namespace hairpaint::rendering {
 class HeadPicture
 {
 public:
-    /// Draws `head` (may be null). Where the view differs from the call before, `inMotion` is drawn in its place,
+    /// Draws `head` (may be null). Where the view differs from the call before, `inMotion` is drawn instead,
     /// unless null, and `head` in the first call that does not differ. `cards`: null where there are none.
     void update(const std::shared_ptr<const sim::HeadMesh>& head, const std::shared_ptr<const sim::HeadMesh>& inMotion,
                 const std::shared_ptr<const CardSet>& cards, const FrameConstants& constants);

@@ -4,6 +4,7 @@
 #include "sim/base/parallel.h"
 #include "view/rendering/drawn_fraction.h"
 #include "view/rendering/light/hair_light.h"
+#include "view/rendering/software/splat_kernel.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-// How much hair lies between a place and the light, and the eye.
+// How much hair lies between a point and the light, and the eye.
 #pragma once
 
 #include "view/rendering/eye_grid.h"
@@ -9,22 +9,6 @@
 #include <vector>
 
 namespace hairpaint::rendering {
-
-/// Every `step`th strand of a group from `first` on.
-struct SplatTask
-{
-    glm::mat4 gridFromWo{1.0F}; ///< Of the light's grid.
-    glm::mat4 projectionFromWo{1.0F};
-    EyeGrid eyeGrid;
-    const sim::GroupFrame* group = nullptr;
-    std::span<const std::uint32_t> slots;
-    std::size_t first = 0;
-    std::size_t step = 1;
-    int nodes = 2;
-    float weight = 0.0F; ///< Units of area of a metre of hair.
-};
-/// Adds the strands' areas to the voxels of both grids.
-void splatStrands(const SplatTask& task, std::uint32_t* voxels);
 
 /// Hair's area over the area it covers, summed away from the light and from the eye (after deep opacity maps, Yuksel
 /// and Keyser 2008, in even layers). The same for any number of threads: areas are added as whole numbers.

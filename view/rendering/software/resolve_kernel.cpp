@@ -1,5 +1,5 @@
 // Puts what lies behind the hair into a tile and encodes its pixels.
-#include "view/rendering/software/tile_kernel.h"
+#include "view/rendering/software/resolve_kernel.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "view/rendering/software/resolve_kernel.cpp"

@@ -1,6 +1,8 @@
 // Finds the tiles that segments touch.
 #include "view/rendering/software/screen_segments.h"
 
+#include "view/rendering/software/segment_kernel.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>

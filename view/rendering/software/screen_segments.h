@@ -84,9 +84,6 @@ struct TileGrid
     }
 };
 
-/// Finds the segments that are seen, and what they touch.
-void findBounds(const TileGrid& tiles, const StrandPoints& points, int segments, SegmentBounds& bounds);
-
 /// What a batch is made with; a thread keeps it from batch to batch.
 struct SegmentScratch
 {

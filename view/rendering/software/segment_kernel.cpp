@@ -1,5 +1,5 @@
-// Which segments of a block are seen, and which tiles they touch.
-#include "view/rendering/software/screen_segments.h"
+// Sixteen segments at a time.
+#include "view/rendering/software/segment_kernel.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "view/rendering/software/segment_kernel.cpp"

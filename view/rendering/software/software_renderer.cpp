@@ -5,8 +5,8 @@
 #include "view/rendering/skull_size.h"
 #include "view/rendering/software/hair_segments.h"
 #include "view/rendering/software/head_picture.h"
+#include "view/rendering/software/resolve_kernel.h"
 #include "view/rendering/software/ring_overlay.h"
-#include "view/rendering/software/tile_kernel.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,5 +1,6 @@
-// Lays strands into the voxels of the opacity grids.
-#include "view/rendering/software/opacity_grids.h"
+// Sixteen points of a span at a time.
+#include "view/rendering/software/splat_kernel.h"
+
 #include "view/rendering/software/strand_block.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -44,7 +44,7 @@ struct alignas(64) StrandBlock
     std::vector<float> nodesWo; ///< [nodes][3][kBlockLanes]
 };
 
-/// What all strands of a group share in one picture.
+/// What is the same for all strands of a group in one picture.
 struct StrandView
 {
     glm::mat4 projectionFromWo{1.0F};
@@ -91,10 +91,5 @@ struct StrandPoints
         colour; ///< Square roots of the light / kMostLight, 10 bits each from the lowest: r, g, b.
     void resize(std::size_t points);
 };
-
-/// Segments that the bend of the block's strands needs at this size.
-[[nodiscard]] SpanSegments segmentsFor(const StrandView& view, const StrandBlock& block);
-/// Fills `points` with segments + 1 of each strand.
-void drawnPoints(const StrandView& view, const StrandBlock& block, const SpanSegments& segments, StrandPoints& points);
 
 } // namespace hairpaint::rendering

@@ -1,6 +1,7 @@
-// Strands become points of the picture: curve, projection, light.
+// Sixteen strands at a time.
+#include "view/rendering/software/strand_kernel.h"
+
 #include "view/rendering/drawn_fraction.h"
-#include "view/rendering/software/strand_block.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "view/rendering/software/strand_kernel.cpp"

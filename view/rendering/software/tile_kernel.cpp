@@ -112,14 +112,14 @@ HWY_INLINE float coverBeforeHead(const Canvas& canvas, int x, int y, float depth
     return cover * (1.0F - static_cast<float>(canvas.task.head[at].cover) * (1.0F / 65535.0F));
 }
 
-/// What a walk's values are at a place along its main direction, and how they go on from sample to sample.
+/// What a walk's values are at a position along its main direction, and how they go on from sample to sample.
 struct Pace
 {
     float middle, width, depth;
     Quad colour;
 };
 
-/// Whether all cells that the walk may touch between two places along its main direction are opaque.
+/// Whether all cells that the walk may touch between two positions along its main direction are opaque.
 template<bool kSteep>
 HWY_INLINE bool isClosed(Canvas& canvas, unsigned cell, float from, float to, float reach)
 {

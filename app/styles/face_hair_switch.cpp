@@ -1,5 +1,5 @@
 // Painting takes a moment, so it is a job.
-#include "app/styles/face_hair.h"
+#include "app/styles/face_hair_switch.h"
 
 #include "model/document/commands.h"
 #include "model/growth/face_hair.h"
@@ -12,18 +12,18 @@
 
 namespace hairpaint::app {
 
-bool FaceHair::exists() const
+bool FaceHairSwitch::exists() const
 {
     return std::ranges::any_of(m_session.document().project().groups, model::isFaceHair);
 }
 
-bool FaceHair::shown() const
+bool FaceHairSwitch::shown() const
 {
     return std::ranges::any_of(m_session.document().project().groups,
                                [](const model::HairGroup& group) { return group.visible && model::isFaceHair(group); });
 }
 
-void FaceHair::toggle()
+void FaceHairSwitch::toggle()
 {
     using Groups = std::vector<model::HairGroup>;
     m_session.editor().tools().commitStroke();
@@ -52,8 +52,8 @@ void FaceHair::toggle()
         document.push(addFaceHairCommand(document, std::move(**made)));
 }
 
-model::Result<std::optional<model::HairGroup>> FaceHair::grow(Jobs& jobs, const model::HairKind& kind,
-                                                              const std::shared_ptr<const model::Head>& head)
+model::Result<std::optional<model::HairGroup>> growHair(Jobs& jobs, const model::HairKind& kind,
+                                                        const std::shared_ptr<const model::Head>& head)
 {
     using Grown = std::optional<model::HairGroup>;
     const std::optional<model::Result<Grown>> made =

@@ -1,4 +1,4 @@
-// Brows and lashes as a switch.
+// Brows and lashes as a switch, and hair that grows in a job.
 #pragma once
 
 #include "app/background/jobs.h"
@@ -13,17 +13,15 @@ class QWidget;
 namespace hairpaint::app {
 
 /// GUI thread. All that it is made with must outlive it; what goes wrong is said over `window`.
-class FaceHair
+class FaceHairSwitch
 {
 public:
-    FaceHair(Session& session, Jobs& jobs, QWidget& window) : m_session(session), m_jobs(jobs), m_window(window) {}
+    FaceHairSwitch(Session& session, Jobs& jobs, QWidget& window) : m_session(session), m_jobs(jobs), m_window(window)
+    {}
 
     [[nodiscard]] bool shown() const; ///< Whether the document has any, and it is visible.
     /// Adds them where there are none yet; shows or hides those that are there. One undo step.
     void toggle();
-    /// A group of that kind as it grows on the head, as a job: see model::grownHair().
-    [[nodiscard]] static model::Result<std::optional<model::HairGroup>>
-    grow(Jobs& jobs, const model::HairKind& kind, const std::shared_ptr<const model::Head>& head);
 
 private:
     [[nodiscard]] bool exists() const;
@@ -32,5 +30,9 @@ private:
     Jobs& m_jobs;
     QWidget& m_window;
 };
+
+/// A group of that kind as it grows on the head, as a job: see model::grownHair(). GUI thread.
+[[nodiscard]] model::Result<std::optional<model::HairGroup>> growHair(Jobs& jobs, const model::HairKind& kind,
+                                                                      const std::shared_ptr<const model::Head>& head);
 
 } // namespace hairpaint::app

@@ -1,0 +1,179 @@
+// The rows. What a table of the program lists is listed from that table.
+#include "app/cli/verb_options.h"
+
+#include "app/cli/export_options.h"
+#include "model/exporting/export_format.h"
+#include "model/exporting/map_images.h"
+#include "model/importing/curve_reader.h"
+#include "model/project/light_settings.h"
+#include "model/project/skin_tone.h"
+#include "view/rendering/standard_views.h"
+
+namespace hairpaint::app {
+
+namespace {
+
+using Use = CommandOption::Use;
+
+CommandOption projectOutput()
+{
+    return {QStringLiteral("-o, --output P.hairpaint"), CommandLine::tr("the project to write"), Use::Required};
+}
+
+CommandOption settleOption()
+{
+    return {QStringLiteral("--settle SECONDS"),
+            CommandLine::tr("how long the hair falls first; 0 is the shape it was given")};
+}
+
+CommandOption numberOfHairs()
+{
+    return {QStringLiteral("--hairs N"), CommandLine::tr("only so many of the hairs that are there, an even share")};
+}
+
+CommandOption windVelocity()
+{
+    return {QStringLiteral("--wind X,Y,Z"),
+            CommandLine::tr("in m/s, instead of the project's; x to the head's left, y up, z forward")};
+}
+
+CommandOption frameRate()
+{
+    return {QStringLiteral("--fps F"), CommandLine::tr("frames a second of a film; 30 unless given")};
+}
+
+CommandOption headMotion(const QString& meaning)
+{
+    return {QStringLiteral("--motion nod|shake|turn"), meaning};
+}
+
+/// "FILE.hair|.usda|.usdz".
+QString fileWith(const QStringList& endings)
+{
+    return QStringLiteral("FILE.") + endings.join(QLatin1String("|."));
+}
+
+/// The `id` of each row of a table.
+template<class Rows>
+QString idsOf(const Rows& rows)
+{
+    QStringList ids;
+    for (const auto& row : rows)
+        ids += QString::fromLatin1(row.id);
+    return listOf(ids);
+}
+
+QString viewNames()
+{
+    QStringList names;
+    for (const std::string_view name : rendering::standardViewNames())
+        names += QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
+    return listOf(names);
+}
+
+} // namespace
+
+QString listOf(const QStringList& words)
+{
+    if (words.size() < 2)
+        return words.join(QString());
+    return CommandLine::tr("%1 or %2").arg(words.first(words.size() - 1).join(QLatin1String(", ")), words.back());
+}
+
+std::vector<CommandOption> newOptions()
+{
+    return {
+        projectOutput(),
+        {QStringLiteral("--head MESH"), CommandLine::tr("a mesh with uv coordinates instead of the built-in head")},
+        {QStringLiteral("--preset NAME"), CommandLine::tr("a style of the library")},
+        {QStringLiteral("--curves ") + fileWith(model::curveFileEndings()),
+         CommandLine::tr("hair of another program as hair groups: its density, length, direction, curl and "
+                         "colours become maps; may be given again for more"),
+         Use::Repeated},
+        {QStringLiteral("--curves-unit UNIT"),
+         CommandLine::tr("of those files: m, dm, cm, mm or in; as they say, or as it fits, unless given")},
+        {QStringLiteral("--curves-axis y|z"),
+         CommandLine::tr("that points up in those files: y or z; as they say, or as it fits, unless given")},
+        {QStringLiteral("--map [GROUP/]KIND[:grey]=IMAGE"),
+         CommandLine::tr("an image as a map, by its colours, or by its brightness with :grey"), Use::Repeated},
+        {QStringLiteral("--seed N"), CommandLine::tr("another drawing of the roots; 1 unless given")},
+        {QStringLiteral("--max-candidates N"),
+         CommandLine::tr("limit on the places, over the whole head, where hair may stand (was: --max-hairs)"),
+         Use::Optional, QStringLiteral("max-hairs")},
+    };
+}
+
+std::vector<CommandOption> listingOptions()
+{
+    return {{QStringLiteral("--json"), CommandLine::tr("as JSON, for scripts")}};
+}
+
+std::vector<CommandOption> exportOptions()
+{
+    std::vector<CommandOption> options = {
+        {QStringLiteral("-o, --output ") + fileWith(model::exportSuffixes()),
+         CommandLine::tr(
+             "the file to write: curves, USD, lines, ribbons as a mesh, or an avatar: cards on spring bones "
+             "with the body of a head that came with a skeleton")},
+        {QStringLiteral("--target NAME"),
+         CommandLine::tr("whose unit and axes: %1; %2, in metres with y up, unless given")
+             .arg(idsOf(model::exportTargets().subspan(1)), QLatin1StringView(model::exportTargets().front().id))},
+        {QStringLiteral("--group NAME"), CommandLine::tr("only this hair group; may be given again for more"),
+         Use::Repeated},
+    };
+    for (CommandOption& option : formatOptions())
+        options.push_back(std::move(option));
+    const std::vector<CommandOption> others = {
+        settleOption(),
+        numberOfHairs(),
+        windVelocity(),
+        headMotion(CommandLine::tr("the head moves once after that, and the hair settles for 1 s more; of a film, from "
+                                   "frame 0 on, again and again")),
+        {QStringLiteral("--frames A-B"), CommandLine::tr("hair in motion, a file a frame: FILE.0001.hair and on")},
+        frameRate(),
+        {QStringLiteral("--maps FOLDER"), CommandLine::tr("writes every map as an image into that folder")},
+        {QStringLiteral("--image ") + model::mapImageSuffixes().join(QLatin1Char('|')),
+         CommandLine::tr("of those images: %1; %2 unless given")
+             .arg(listOf(model::mapImageSuffixes()), model::mapImageSuffixes().front())},
+        {QStringLiteral("--depth 8|16"), CommandLine::tr("8 or 16 a channel of png and tif; 16 unless given")},
+        {QStringLiteral("--grey"), CommandLine::tr("values as brightness instead of the scales' colours")},
+        {QStringLiteral("--uv-sheet FILE.pdf|.svg"),
+         CommandLine::tr("writes the head's UV layout as a sheet to print and draw on")},
+    };
+    options.insert(options.end(), others.begin(), others.end());
+    return options;
+}
+
+std::vector<CommandOption> renderOptions()
+{
+    return {
+        {QStringLiteral("-o, --output FILE.png|.exr"),
+         CommandLine::tr("the picture to write; as OpenEXR in linear light, alpha in its colours"), Use::Required},
+        {QStringLiteral("--size WxH"), CommandLine::tr("in pixels; 1024x1024 unless given")},
+        {QStringLiteral("--view NAME"), viewNames()},
+        {QStringLiteral("--fit hair|head|bust"),
+         CommandLine::tr("what fills the picture: hair (with the head), head or bust; hair unless given")},
+        {QStringLiteral("--camera AZIMUTH,ELEVATION[,DISTANCE]"),
+         CommandLine::tr("instead of a view: degrees from the face toward the head's left, and upward; the "
+                         "distance in cm, else as --fit asks")},
+        {QStringLiteral("--samples 1|4|16"),
+         CommandLine::tr("1, 4 or 16 a pixel; 4 unless given, and 1 in pictures of more than 4096 pixels a side")},
+        {QStringLiteral("--transparent"), CommandLine::tr("no background: alpha tells what is covered")},
+        {QStringLiteral("--skin NAME"), CommandLine::tr("%1, instead of the project's").arg(idsOf(model::skinLooks()))},
+        {QStringLiteral("--light NAME"),
+         CommandLine::tr("%1, instead of the project's").arg(idsOf(model::lightPresets()))},
+        settleOption(),
+        {QStringLiteral("--frames A-B"), CommandLine::tr("a film instead of one picture: FILE.0001.png and on")},
+        frameRate(),
+        numberOfHairs(),
+        windVelocity(),
+        headMotion(CommandLine::tr("the head moves from frame 0 on, again and again; for films")),
+    };
+}
+
+std::vector<CommandOption> repairOptions()
+{
+    return {projectOutput()};
+}
+
+} // namespace hairpaint::app
