@@ -15,7 +15,7 @@ vec3 turnedBy(vec4 q, vec3 p)
 void main()
 {
     // The shoulders stay while the head turns: back by what has turned too much. As pushOutOfBust in
-    // strand_kernel_inl.h.
+    // constraints/neck_contact_inl.h.
     float below = smoothstep(0.0, 1.0, (neckPivotHd.w - positionHd.y) * neckReach.x);
     vec4 turn = normalize(mix(vec4(0.0, 0.0, 0.0, 1.0), neckTurn, below));
     vec4 back = vec4(-turn.xyz, turn.w);

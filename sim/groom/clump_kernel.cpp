@@ -5,93 +5,85 @@
 #define HWY_TARGET_INCLUDE "sim/groom/clump_kernel.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.
-#include "sim/base/vec3_inl.h"
+#include "sim/base/at_length_inl.h"
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
 
 /// How far two hairs go the same way, 0..1.
-template<class D>
-HWY_INLINE hn::Vec<D> sameWay(D d, const Vec3<hn::Vec<D>>& a, const Vec3<hn::Vec<D>>& b)
+HWY_INLINE Lanes sameWay(const Lanes3& a, const Lanes3& b)
 {
-    const auto product = hn::Sqrt(hn::Mul(dot(a, a), dot(b, b)));
-    const auto cosine = hn::Div(dot(a, b), hn::Max(product, hn::Set(d, 1e-20F)));
-    return hn::Min(hn::Max(hn::Add(cosine, cosine), hn::Zero(d)), hn::Set(d, 1.0F));
+    const Lanes product = root(dot(a, a) * dot(b, b));
+    const Lanes cosine = dot(a, b) / most(product, 1e-20F);
+    return clamped(cosine + cosine, 0.0F, 1.0F);
 }
 
-template<class V>
-HWY_INLINE Vec3<V> between(const Vec3<V>& a, const Vec3<V>& b, V t)
+HWY_INLINE Lanes3 between(const Lanes3& a, const Lanes3& b, Lanes t)
 {
-    return addScaled(a, sub(b, a), t);
+    return a + (b - a) * t;
 }
 
-/// Lanes lane..lane + Lanes(d).
-template<class D>
-HWY_INLINE void clumpFrom(D d, ClumpTask& task, std::size_t lane)
+/// Lanes from `lane` on.
+HWY_INLINE void clumpFrom(ClumpTask& task, std::size_t lane)
 {
-    using V = hn::Vec<D>;
-    const hn::Rebind<std::int32_t, D> di;
+    const IntTag di;
     const auto last = static_cast<std::size_t>(task.nodes - 1);
-    const auto row = [&](const ClumpTask::Row& values) { return hn::LoadU(d, values.data() + lane); };
+    const auto row = [&](const ClumpTask::Row& values) { return loaded(values.data() + lane); };
     float* const nodes = task.nodesHd + lane;
     const float* const basis = task.basisHd + lane;
-    const V zero = hn::Zero(d);
-    const V one = hn::Set(d, 1.0F);
-    const hn::Mask<D> clumps = hn::Gt(row(task.clump), zero);
-    if (hn::AllFalse(d, clumps))
+    const Yes clumps = row(task.clump) > 0.0F;
+    if (!any(clumps))
         return;
-    const V segment = row(task.segmentM);
-    const V perBasisSegment = hn::Div(segment, hn::IfThenElse(clumps, row(task.basisSegmentM), one));
-    const V basisEnd = hn::Set(d, static_cast<float>(last));
-    const V lastSegment = hn::Set(d, static_cast<float>(last - 1));
-    const Vec3<V> root = load3(d, nodes);
-    const Vec3<V> basisTip = load3(d, basis + last * StrandBlocks::kNodeStride);
-    const V clump = hn::IfThenElseZero(
-        clumps, hn::Mul(row(task.clump), sameWay(d, sub(load3(d, nodes + last * StrandBlocks::kNodeStride), root),
-                                                 sub(basisTip, load3(d, basis)))));
-    hn::StoreU(clump, d, task.clump.data() + lane);
-    const auto laneNumbers = hn::Iota(di, 0);
+    const Lanes segment = row(task.segmentM);
+    const Lanes perBasisSegment = segment / select(clumps, row(task.basisSegmentM), 1.0F);
+    const Lanes basisEnd(static_cast<float>(last));
+    const Lanes lastSegment(static_cast<float>(last - 1));
+    const Lanes3 rootHd = loaded3(nodes);
+    const Lanes3 basisTip = loaded3(basis + last * StrandBlocks::kNodeStride);
+    const Lanes clump =
+        onlyWhere(clumps, row(task.clump) * sameWay(loaded3(nodes + last * StrandBlocks::kNodeStride) - rootHd,
+                                                    basisTip - loaded3(basis)));
+    stored(clump, task.clump.data() + lane);
+    const Ints laneNumbers = hn::Iota(di, 0);
 
-    Vec3<V> parent = root;
-    Vec3<V> parentBefore = root;
-    Vec3<V> toBasis{zero, zero, zero};
+    Lanes3 parent = rootHd;
+    Lanes3 parentBefore = rootHd;
+    Lanes3 toBasis{0.0F, 0.0F, 0.0F};
     for (std::size_t i = 1; i <= last; ++i) {
         float* const at = nodes + i * StrandBlocks::kNodeStride;
-        const Vec3<V> own = load3(d, at);
-        const V along = hn::Mul(hn::Set(d, static_cast<float>(i)), perBasisSegment);
-        const auto reaches = hn::Lt(along, basisEnd);
-        const auto from = hn::ConvertTo(di, hn::Min(along, lastSegment));
-        const V fraction = hn::Sub(along, hn::ConvertTo(d, from));
-        const auto first =
+        const Lanes3 own = loaded3(at);
+        const Lanes along = static_cast<float>(i) * perBasisSegment;
+        const Yes reaches = along < basisEnd;
+        const Ints from = asInts(least(along, lastSegment));
+        const Lanes fraction = along - asFloats(from);
+        const Ints first =
             hn::Add(hn::Mul(from, hn::Set(di, static_cast<std::int32_t>(StrandBlocks::kNodeStride))), laneNumbers);
         const auto gathered = [&](std::size_t offset) {
-            return Vec3<V>{hn::GatherIndex(d, basis + offset, first),
-                           hn::GatherIndex(d, basis + offset + StrandBlocks::kAxisStride, first),
-                           hn::GatherIndex(d, basis + offset + 2 * StrandBlocks::kAxisStride, first)};
+            return Lanes3{gatheredFrom(basis + offset, first),
+                          gatheredFrom(basis + offset + StrandBlocks::kAxisStride, first),
+                          gatheredFrom(basis + offset + 2 * StrandBlocks::kAxisStride, first)};
         };
-        const Vec3<V> beside = between(gathered(0), gathered(StrandBlocks::kNodeStride), fraction);
+        const Lanes3 beside = between(gathered(0), gathered(StrandBlocks::kNodeStride), fraction);
         // In the segment in which the basis hair ends, from its end.
-        const auto ends = hn::AndNot(reaches, hn::Lt(along, hn::Add(basisEnd, perBasisSegment)));
-        const V back = hn::Add(hn::Div(hn::Sub(basisEnd, along), hn::IfThenElse(ends, perBasisSegment, one)), one);
-        toBasis = choose(ends, sub(basisTip, between(parentBefore, own, back)), toBasis);
-        toBasis = choose(reaches, sub(beside, own), toBasis);
+        const Yes ends = (!reaches) & (along < basisEnd + perBasisSegment);
+        const Lanes back = (basisEnd - along) / select(ends, perBasisSegment, 1.0F) + 1.0F;
+        toBasis = select(ends, basisTip - between(parentBefore, own, back), toBasis);
+        toBasis = select(reaches, beside - own, toBasis);
         const float s = static_cast<float>(i) / static_cast<float>(last);
-        const V drawing = hn::Mul(clump, hn::Set(d, s * (2.0F - s)));
-        const Vec3<V> drawn = addScaled(own, toBasis, drawing);
+        const Lanes3 drawn = own + toBasis * (clump * (s * (2.0F - s)));
         // Should a node fall on its parent, it goes where it was headed.
-        const Vec3<V> headed = sub(own, parentBefore);
+        const Lanes3 headed = own - parentBefore;
         parentBefore = own;
-        parent = choose(hn::And(clumps, hn::Gt(segment, zero)), atLength(d, parent, drawn, segment, headed), own);
-        store3(d, parent, at);
+        parent = select(clumps & (segment > 0.0F), atLength(parent, drawn, segment, headed), own);
+        stored3(parent, at);
     }
 }
 
 void ClumpLanesOf(ClumpTask& task)
 {
-    const hn::CappedTag<float, kLanes> d;
-    for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(d))
-        clumpFrom(d, task, lane);
+    for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(Tag()))
+        clumpFrom(task, lane);
 }
 
 } // namespace hairpaint::sim::HWY_NAMESPACE

@@ -14,120 +14,120 @@ namespace {
 
 constexpr float kPointsPerTurn = 8.0F;
 constexpr float kMostSegments = 256.0F;
-constexpr float kTiny = 1e-16F;
 
-/// `reference` at unit length in the plane across a unit tangent, or any vector there.
-glm::vec3 across(glm::vec3 reference, glm::vec3 tangent)
+/// The formula for one strand, in floats.
+namespace of_floats {
+
+using Num = float;
+using Vec3 = glm::vec3;
+using Flag = bool;
+
+float sinOf(float x)
 {
-    glm::vec3 v = reference - tangent * glm::dot(reference, tangent);
-    float squared = glm::dot(v, v);
-    if (squared <= 1e-8F) {
-        const glm::vec3 axis = std::abs(tangent.x) < 0.7F ? glm::vec3(1.0F, 0.0F, 0.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
-        v = axis - tangent * glm::dot(axis, tangent);
-        squared = glm::dot(v, v);
-    }
+    return sinDet(x);
+}
+float cosOf(float x)
+{
+    return cosDet(x);
+}
+float root(float x)
+{
+    return std::sqrt(x);
+}
+float least(float a, float b)
+{
+    return std::min(a, b);
+}
+float most(float a, float b)
+{
+    return std::max(a, b);
+}
+float clamped(float x, float low, float high)
+{
+    return std::clamp(x, low, high);
+}
+float mixed(float a, float b, float t)
+{
+    return a + (b - a) * t;
+}
+float over(float x, float constant)
+{
+    return x / constant;
+}
+bool everywhere(bool flag)
+{
+    return flag;
+}
+template<typename T>
+T select(bool yes, const T& a, const T& b)
+{
+    return yes ? a : b;
+}
+glm::vec3 vec3Of(float x, float y, float z)
+{
+    return {x, y, z};
+}
+glm::vec3 unitOf(glm::vec3 v, float squared)
+{
     return v / std::sqrt(squared);
 }
-
-struct CurvePoint
+glm::vec3 reflectedIn(glm::vec3 v, glm::vec3 axis, float squared)
 {
-    glm::vec3 position;
-    glm::vec3 derivative;
-};
+    return v - axis * (2.0F * glm::dot(axis, v) / squared);
+}
 
-/// Catmull-Rom between nodes; past the ends the curve goes on straight.
-CurvePoint catmullRom(std::span<const glm::vec3> nodes, std::size_t segment, float t)
+#define CURVE_FUNCTION inline
+#include "sim/groom/curve_formula.inl"
+#undef CURVE_FUNCTION
+
+} // namespace of_floats
+
+of_floats::Span spanOf(std::span<const glm::vec3> nodes, std::size_t segment)
 {
     const glm::vec3 p1 = nodes[segment];
     const glm::vec3 p2 = nodes[segment + 1];
-    const glm::vec3 p0 = segment > 0 ? nodes[segment - 1] : 2.0F * p1 - p2;
-    const glm::vec3 p3 = segment + 2 < nodes.size() ? nodes[segment + 2] : 2.0F * p2 - p1;
-    const glm::vec3 c1 = 0.5F * (p2 - p0);
-    const glm::vec3 c2 = p0 - 2.5F * p1 + 2.0F * p2 - 0.5F * p3;
-    const glm::vec3 c3 = 0.5F * (p3 - p0) + 1.5F * (p1 - p2);
-    return {p1 + t * (c1 + t * (c2 + t * c3)), c1 + t * (2.0F * c2 + 3.0F * t * c3)};
-}
-
-/// One step of the double reflection: carries `reference` from one point and tangent to the next.
-glm::vec3 carried(glm::vec3 reference, glm::vec3 lastPoint, glm::vec3 lastTangent, glm::vec3 point, glm::vec3 tangent)
-{
-    const glm::vec3 step = point - lastPoint;
-    const float squared = glm::dot(step, step);
-    if (squared <= kTiny)
-        return reference;
-    const glm::vec3 reflected = reference - step * (2.0F * glm::dot(step, reference) / squared);
-    const glm::vec3 reflectedTangent = lastTangent - step * (2.0F * glm::dot(step, lastTangent) / squared);
-    const glm::vec3 second = tangent - reflectedTangent;
-    const float secondSquared = glm::dot(second, second);
-    if (secondSquared <= kTiny)
-        return reflected;
-    return reflected - second * (2.0F * glm::dot(second, reflected) / secondSquared);
-}
-
-/// Where the middle of a wisp is at an angle of its turn, and how it goes on by a radian; across the braid, in units of
-/// r.
-struct WispPath
-{
-    glm::vec2 middle, onward;
-};
-
-WispPath wispPath(const StrandStyle& style, float turned)
-{
-    const auto wisp = static_cast<float>(style.wisp);
-    if (style.braid == BraidKind::Twist) {
-        const float angle = turned + wisp * glm::pi<float>();
-        return {kTwistFraction * glm::vec2(cosDet(angle), sinDet(angle)),
-                kTwistFraction * glm::vec2(-sinDet(angle), cosDet(angle))};
-    }
-    const float w = wisp * (glm::two_pi<float>() / 3.0F);
-    const glm::vec3 offset = braidOffset(turned, w);
-    return {glm::vec2(offset.x, offset.z), glm::vec2(-sinDet(turned + w), 2.0F * cosDet(2.0F * (turned + w)))};
+    return of_floats::spanOf(segment > 0 ? nodes[segment - 1] : of_floats::beyond(p1, p2), p1, p2,
+                             segment + 2 < nodes.size() ? nodes[segment + 2] : of_floats::beyond(p2, p1));
 }
 
 /// The wisp's and the hair's offset at a fraction q of a braid of `lengthM`: x along the frame's first axis, y along
 /// the strand, z along the third.
 glm::vec3 braidedOffset(const StrandStyle& style, float q, float lengthM)
 {
-    const float parted = std::min(q * style.braidTurns / kBraidEaseTurns, 1.0F);
-    const float r = style.braidRadiusM * (kBraidFirstFraction + (1.0F - kBraidFirstFraction) * parted);
-    if (style.braid == BraidKind::Loc)
-        return glm::vec3(style.wispOffset.x, 0.0F, style.wispOffset.y) * (r * kLocWispFraction);
-    const bool twist = style.braid == BraidKind::Twist;
-    const float tuft = std::max(q - (1.0F - kTuftFraction), 0.0F) / kTuftFraction;
-    const float tie = std::clamp((q - (1.0F - kTuftFraction - kTieFraction)) / kTieFraction, 0.0F, 1.0F);
-    const float tied = tie * tie * (3.0F - 2.0F * tie);
-    const float pathR = r * (1.0F + (kTieBraidFraction - 1.0F) * tied) * (1.0F - tuft);
-    const float wispR =
-        r * (twist ? kTwistWispFraction : kWispRadiusFraction) *
-        (1.0F + (kTieWispFraction - 1.0F) * tied + (kTuftWispFraction - kTieWispFraction) * tuft * (2.0F - tuft));
+    const bool isTwist = style.braid == BraidKind::Twist;
+    const bool isLoc = style.braid == BraidKind::Loc;
+    const of_floats::BraidedHair hair{.isTwist = isTwist,
+                                      .isLoc = isLoc,
+                                      // Below: files keep their bytes.
+                                      .pathFraction = isTwist ? 1.0F : of_floats::braidPathFraction(isTwist, isLoc),
+                                      .radiusM = style.braidRadiusM,
+                                      .turns = style.braidTurns,
+                                      .wispX = style.wispOffset.x,
+                                      .wispY = style.wispOffset.y};
+    const of_floats::BraidGirth girth = of_floats::braidGirth(hair, q);
     const float turnRad = glm::two_pi<float>() * style.braidTurns;
-    const WispPath path = wispPath(style, turnRad * q);
-    // A hair's place in the wisp lies across the wisp's own path, so that wisps are round.
-    const glm::vec3 onward(path.onward.x * pathR * turnRad, std::max(lengthM, 1e-6F), path.onward.y * pathR * turnRad);
-    const glm::vec3 along = onward / std::sqrt(glm::dot(onward, onward));
-    const float aside = std::sqrt(along.y * along.y + along.z * along.z);
-    const glm::vec2 place = style.wispOffset * wispR;
-    glm::vec3 inWisp(place.x * aside, -(place.x * along.x * along.y + place.y * along.z) / aside,
-                     (place.y * along.y - place.x * along.x * along.z) / aside);
-    // Along the braid they have the room that their number leaves.
-    const float roomM = lengthM * (twist ? kTwistRoomTurns : kPlaitRoomTurns) / std::max(style.braidTurns, 1e-3F);
-    inWisp.y *= std::min(1.0F, roomM / std::max(wispR, 1e-6F));
-    inWisp.y -= lengthM * kTuftFraction * kTuftUneven * tuft * glm::dot(style.wispOffset, style.wispOffset);
-    return glm::vec3(path.middle.x, 0.0F, path.middle.y) * pathR + inWisp;
+    const float apart = isTwist ? glm::pi<float>() : glm::two_pi<float>() / 3.0F;
+    of_floats::WispPath path = of_floats::wispPath(isTwist, turnRad * q + static_cast<float>(style.wisp) * apart);
+    if (isTwist)
+        for (float* number : {&path.x, &path.z, &path.onwardX, &path.onwardZ})
+            *number *= kTwistFraction;
+    const glm::vec3 onward(path.onwardX * girth.pathM * turnRad, std::max(lengthM, 1e-6F),
+                           path.onwardZ * girth.pathM * turnRad);
+    const glm::vec3 along = of_floats::unitOf(onward, glm::dot(onward, onward));
+    return of_floats::braidedOffset(hair, girth, path, along, lengthM);
 }
 
 } // namespace
 
 glm::vec3 curlOffset(float t)
 {
-    const float c = cosDet(t);
-    const float s = sinDet(t);
-    return {c, s, c * s};
+    return of_floats::curlOffset(t);
 }
 
 glm::vec3 braidOffset(float t, float w)
 {
-    return {cosDet(t + w), 0.0F, sinDet(2.0F * (t + w))};
+    const of_floats::WispPath path = of_floats::wispPath(false, t + w);
+    return {path.x, 0.0F, path.z};
 }
 
 int curveSegmentsOf(const StrandStyle& style)
@@ -166,7 +166,8 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
     const bool isCurled = style.turns > 0.0F && style.curlRadiusM > 0.0F;
     const bool isBraided = style.braid != BraidKind::None && style.braidStart < 1.0F;
     glm::vec3 lastPoint = skeletonHd[0];
-    glm::vec3 lastTangent = across(glm::vec3(0.0F), rootTangentHd); // Only where the skeleton has no direction at all.
+    // Only where the skeleton has no direction at all.
+    glm::vec3 lastTangent = of_floats::across(glm::vec3(0.0F), rootTangentHd);
     glm::vec3 reference(0.0F);
     const auto shared = static_cast<std::size_t>(std::lround(style.braidStart * static_cast<float>(last))) + 1;
     bool isFramed = !isBraided || shared > last; // As it will be.
@@ -174,34 +175,37 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
         const float s = static_cast<float>(j) / static_cast<float>(segments);
         const float u = s * static_cast<float>(last);
         const std::size_t segment = std::min(static_cast<std::size_t>(u), last - 1);
-        const auto [position, derivative] = catmullRom(skeletonHd, segment, u - static_cast<float>(segment));
-        const float squared = glm::dot(derivative, derivative);
-        const glm::vec3 tangent = squared > kTiny ? derivative / std::sqrt(squared) : lastTangent;
+        const of_floats::Span span = spanOf(skeletonHd, segment);
+        const float t = u - static_cast<float>(segment);
+        const glm::vec3 position = of_floats::positionAt(span, t);
+        const glm::vec3 derivative = of_floats::derivativeAt(span, t);
+        const glm::vec3 tangent = of_floats::tangentOf(derivative, lastTangent);
         if (!isFramed && u >= static_cast<float>(shared)) {
             isFramed = true;
-            const CurvePoint node = catmullRom(skeletonHd, std::min(shared, last - 1), shared < last ? 0.0F : 1.0F);
-            const float nodeSquared = glm::dot(node.derivative, node.derivative);
-            lastPoint = node.position;
-            lastTangent = nodeSquared > kTiny ? node.derivative / std::sqrt(nodeSquared) : lastTangent;
-            reference = across(rootTangentHd, lastTangent);
+            const of_floats::Span from = spanOf(skeletonHd, std::min(shared, last - 1));
+            const float end = shared < last ? 0.0F : 1.0F;
+            lastPoint = of_floats::positionAt(from, end);
+            lastTangent = of_floats::tangentOf(of_floats::derivativeAt(from, end), lastTangent);
+            reference = of_floats::across(rootTangentHd, lastTangent);
         }
-        reference =
-            j == 0 ? across(rootTangentHd, tangent) : carried(reference, lastPoint, lastTangent, position, tangent);
+        reference = j == 0 ? of_floats::across(rootTangentHd, tangent)
+                           : of_floats::carried(reference, lastPoint, lastTangent, position, tangent);
         lastPoint = position;
         lastTangent = tangent;
 
         glm::vec3 point = position;
         const float gathered = 1.0F + u - style.braidStart * static_cast<float>(last);
         if (isBraided && gathered > 0.0F) {
-            const glm::vec3 first = u < static_cast<float>(shared) ? across(rootTangentHd, tangent) : reference;
+            const glm::vec3 first =
+                u < static_cast<float>(shared) ? of_floats::across(rootTangentHd, tangent) : reference;
             const float braidM =
-                std::sqrt(squared) * static_cast<float>(skeletonHd.size() - 1) * (1.0F - style.braidStart);
-            const float q = std::max(s - style.braidStart, 0.0F) / (1.0F - style.braidStart);
+                of_floats::braidLength(glm::length(derivative), static_cast<float>(last), style.braidStart);
+            const float q = of_floats::braidFraction(s, style.braidStart);
             const glm::vec3 offset = braidedOffset(style, q, braidM) * std::min(gathered, 1.0F);
             point += first * offset.x + tangent * offset.y + glm::cross(first, tangent) * offset.z;
         } else if (isCurled) {
             const glm::vec3 offset = curlOffset(style.phase + glm::two_pi<float>() * style.turns * s) *
-                                     (style.curlRadiusM * std::min(1.0F, s / kCurlEaseFraction));
+                                     of_floats::curlRadius(style.curlRadiusM, s);
             point += reference * offset.x + glm::cross(tangent, reference) * offset.y + tangent * offset.z;
         }
         pointsHd.push_back(point);

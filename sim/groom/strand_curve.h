@@ -29,8 +29,8 @@ namespace hairpaint::sim {
 /// `rootTangentHd`: frameTangentHd, turned as the head is. A curl stands in the skeleton's rotation-minimising frame,
 /// which starts from that tangent (double reflection, Wang et al. 2008). A braid's hairs reach it from all sides: over
 /// the first span of it their frame has that tangent's own projection as its first axis, and from the node after, which
-/// they share, it too minimises rotation, so that a braid that bends does not come apart. The shader strand_expand.comp
-/// does the same.
+/// they share, it too minimises rotation, so that a braid that bends does not come apart. The formula is
+/// curve_formula.inl.
 void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangentHd, const StrandStyle& style,
                     int segments, std::vector<glm::vec3>& pointsHd);
 

@@ -7,7 +7,8 @@
 #define HWY_TARGET_INCLUDE "sim/solver/dependents_kernel.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.
-#include "sim/solver/strand_kernel_inl.h"
+#include "sim/base/at_length_inl.h"
+#include "sim/solver/constraints/neck_contact_inl.h"
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -20,7 +21,6 @@ constexpr float kHangingM = 0.20F; ///< and longer hair does not.
 /// Weighted mean of one slot's three basis hairs into mean: [nodes][2][kLanes][4], at its lane.
 HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float* HWY_RESTRICT mean)
 {
-    const hn::CappedTag<float, 4> d4;
     const auto nodes = static_cast<std::size_t>(task.nodes);
     const std::array<std::uint32_t, 3>& basis = task.neighbours[slot];
     std::array<float, 3> weight = task.weights[slot];
@@ -43,97 +43,108 @@ HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float* HWY_
     } else {
         weight[0] = 1.0F;
     }
-    const auto w0 = hn::Set(d4, weight[0]);
-    const auto w1 = hn::Set(d4, weight[1]);
-    const auto w2 = hn::Set(d4, weight[2]);
+    const Quad w0 = quadOf(weight[0]);
+    const Quad w1 = quadOf(weight[1]);
+    const Quad w2 = quadOf(weight[2]);
     const bool alone = weight[1] == 0.0F && weight[2] == 0.0F;
-    const std::size_t step = hn::Lanes(d4); // 4, or 1 where there is no SIMD
     for (std::size_t i = 0; i < nodes * 2; ++i) {
-        for (std::size_t axis = 0; axis < 4; axis += step) {
-            const std::size_t at = i * 4 + axis;
-            auto sum = hn::Mul(w0, hn::Load(d4, first + at));
-            if (!alone)
-                sum = hn::Add(hn::Add(sum, hn::Mul(w1, hn::Load(d4, second + at))),
-                              hn::Mul(w2, hn::Load(d4, third + at)));
-            hn::Store(sum, d4, mean + i * kLanes * 4 + axis);
-        }
+        const std::size_t at = i * 4;
+        Quad sum = w0 * quadOf(first + at);
+        if (!alone)
+            sum = sum + w1 * quadOf(second + at) + w2 * quadOf(third + at);
+        stored(sum, mean + i * kLanes * 4);
     }
 }
 
-/// Keeps a node outside every ellipsoid, and it and its segment outside the skin; true where any lane was inside one.
-template<class D>
-HWY_INLINE bool collide(D d, const DependentsTask& task, const float* HWY_RESTRICT lanes, bool first,
-                        const Vec3<hn::Vec<D>>& parent, Vec3<hn::Vec<D>>& p, Contact<D>& contact)
+/// Keeps a node outside every solid, and it and its segment outside the skin; true where any lane was inside one.
+HWY_INLINE bool collide(const DependentsTask& task, const float* HWY_RESTRICT lanes, bool first, const Lanes3& parent,
+                        Lanes3& p, Contact& contact)
 {
-    bool any = false;
-    const auto furthest = hn::Set(d, kAnywhereM);
+    bool touches = false;
     for (int c = 0; c < task.colliders->count; ++c)
-        any |= pushOut(d, task.colliders->items[static_cast<std::size_t>(c)], task.neck,
-                       hn::LoadU(d, lanes + (kDependentScale + c) * kLanes), furthest, p, contact);
+        touches |= pushOut(task.colliders->items[static_cast<std::size_t>(c)], task.neck,
+                           loaded(lanes + (kDependentScale + c) * kLanes), kAnywhereM, p, contact);
     if (task.colliders->skin.pairs != nullptr)
-        any |=
-            pushSegmentOutOfSkin(d, task.colliders->skin, task.neck, hn::LoadU(d, lanes + kDependentClearance * kLanes),
-                                 furthest, first, parent, p, contact);
-    return any;
+        touches |= pushSegmentOutOfSkin(task.colliders->skin, task.neck, loaded(lanes + kDependentClearance * kLanes),
+                                        kAnywhereM, first, parent, p, contact);
+    return touches;
 }
 
-/// Lanes lane..lane + Lanes(d) of one block, from their mean displacements to their places in the world.
-template<class D>
-HWY_INLINE void placeStrands(D d, const DependentsTask& task, const float* HWY_RESTRICT mean,
-                             const float* HWY_RESTRICT rest, const float* HWY_RESTRICT lanes, float* HWY_RESTRICT out)
+/// Four numbers of a node's mean, of which three are a vector.
+struct MeanOfNode
 {
-    using V = hn::Vec<D>;
-    const V segment = hn::LoadU(d, lanes);
-    const hn::Mask<D> drawn = hn::Gt(segment, hn::Zero(d));
-    const V length = hn::Mul(segment, hn::Set(d, static_cast<float>(task.nodes - 1)));
-    const V zero = hn::Zero(d);
-    const Vec3<V> nothing{zero, zero, zero};
-    const Vec3<V> root = load3(d, rest);
-    const Vec3<V> clump = load3(d, lanes + kDependentClumpX * kLanes);
-    const V one = hn::Set(d, 1.0F);
-    // None of hair of 8 cm, all of 20 cm and more, once the tips around have sunk by a twentieth of it: a rest shape
-    // that nothing pulls at is exact. By the squared length.
-    const V longness = hn::Mul(hn::Sub(length, hn::Set(d, kCarriedM)), hn::Set(d, 1.0F / (kHangingM - kCarriedM)));
-    Vec3<V> sunk;
-    V beside;
-    hn::LoadInterleaved4(d, mean + static_cast<std::size_t>(2 * (task.nodes - 1)) * kLanes * 4, sunk.x, sunk.y, sunk.z,
-                         beside);
-    const V hangs = hn::Min(one, hn::Mul(dot(sunk, sunk), hn::Set(d, 400.0F)));
-    const V straying = hn::Div(hn::Mul(hangs, hn::Min(hn::Max(longness, zero), one)),
-                               hn::Max(hn::Mul(length, length), hn::Set(d, 1e-8F)));
-    Vec3<V> parent = root;
-    Vec3<V> parentRest = parent;
-    store3(d, choose(drawn, task.world.identity ? parent : moved(d, task.world, parent), nothing), out);
+    Lanes3 vector;
+    Lanes beside;
+};
+
+HWY_INLINE MeanOfNode meanAt(const float* HWY_RESTRICT mean, std::size_t row)
+{
+    MeanOfNode node;
+    hn::LoadInterleaved4(Tag(), mean + row * kLanes * 4, node.vector.x.v, node.vector.y.v, node.vector.z.v,
+                         node.beside.v);
+    return node;
+}
+
+/// How much of what is its own a long hair gives up where those around hang: none of hair of 8 cm, all of 20 cm and
+/// more, once the tips around have sunk by a twentieth of it: a rest shape that nothing pulls at is exact. By the
+/// squared length.
+HWY_INLINE Lanes strayingOf(Lanes length, const Lanes3& sunk)
+{
+    const Lanes longness = (length - kCarriedM) * (1.0F / (kHangingM - kCarriedM));
+    const Lanes hangs = least(Lanes(1.0F), dot(sunk, sunk) * 400.0F);
+    return hangs * clamped(longness, 0.0F, 1.0F) / most(length * length, 1e-8F);
+}
+
+/// Where a node lies that is styled at `styled` while its basis hairs lie as `common`. All of its own is left where
+/// they have not moved (by `displacement`), nothing where by half of the way from the root; and of long hair, which
+/// does not carry itself, all that leads away from theirs by a sixth of the way, nothing by a third.
+HWY_INLINE Lanes3 laidAmong(const Lanes3& styled, const Lanes3& common, const Lanes3& displacement, Lanes straying,
+                            float s)
+{
+    const Lanes3 own = styled - common;
+    const Lanes moved2 = dot(displacement, displacement) * (4.0F / (s * s));
+    const Lanes strays2 = dot(own, own) * straying * (9.0F / (s * s));
+    const Lanes strays = most(Lanes(0.0F), (strays2 - 0.25F) * (4.0F / 3.0F));
+    return styled - own * least(Lanes(1.0F), moved2 + strays);
+}
+
+/// The lanes from one on of a block, from their mean displacements to the world.
+HWY_INLINE void placeStrands(const DependentsTask& task, const float* HWY_RESTRICT mean, const float* HWY_RESTRICT rest,
+                             const float* HWY_RESTRICT lanes, float* HWY_RESTRICT out)
+{
+    const Lanes segment = loaded(lanes);
+    const Yes drawn = segment > 0.0F;
+    const Lanes length = segment * static_cast<float>(task.nodes - 1);
+    const Lanes3 nothing{0.0F, 0.0F, 0.0F};
+    const Lanes3 root = loaded3(rest);
+    const Lanes3 clump = loaded3(lanes + kDependentClumpX * kLanes);
+    const Lanes straying = strayingOf(length, meanAt(mean, 2 * static_cast<std::size_t>(task.nodes - 1)).vector);
+    const auto write = [&](const Lanes3& p, std::size_t offset) {
+        stored3(select(drawn, task.world.identity ? p : moved(task.world, p), nothing), out + offset);
+    };
+    Lanes3 parent = root;
+    Lanes3 parentRest = parent;
+    write(parent, 0);
     for (int i = 1; i < task.nodes; ++i) {
         const auto node = static_cast<std::size_t>(i);
         const std::size_t offset = node * StrandBlocks::kNodeStride;
-        Vec3<V> displacement;
-        Vec3<V> shape;
-        V unused;
-        V stretch;
-        hn::LoadInterleaved4(d, mean + (2 * node) * kLanes * 4, displacement.x, displacement.y, displacement.z, unused);
-        hn::LoadInterleaved4(d, mean + (2 * node + 1) * kLanes * 4, shape.x, shape.y, shape.z, stretch);
-        const V stretched = hn::Add(segment, hn::Mul(segment, stretch));
-        const Vec3<V> styled = load3(d, rest + offset);
+        const Lanes3 displacement = meanAt(mean, 2 * node).vector;
+        const auto [shape, stretch] = meanAt(mean, 2 * node + 1);
+        const Lanes stretched = segment + segment * stretch;
+        const Lanes3 styled = loaded3(rest + offset);
         // How its basis hairs lie, at its own root or, clumped, at the nearest one's.
         const float s = static_cast<float>(i) / static_cast<float>(task.nodes - 1);
-        const Vec3<V> common = add(addScaled(root, shape, length), scale(clump, hn::Set(d, s * (2.0F - s))));
-        const Vec3<V> own = sub(styled, common);
-        // All of its own is left where they have not moved, nothing where by half of the way from the root; and of long
-        // hair, which does not carry itself, all that leads away from theirs by a sixth of the way, nothing by a third.
-        const V moved2 = hn::Mul(dot(displacement, displacement), hn::Set(d, 4.0F / (s * s)));
-        const V strays2 = hn::Mul(hn::Mul(dot(own, own), straying), hn::Set(d, 9.0F / (s * s)));
-        const V strays = hn::Max(zero, hn::Mul(hn::Sub(strays2, hn::Set(d, 0.25F)), hn::Set(d, 4.0F / 3.0F)));
-        const Vec3<V> laid = sub(styled, scale(own, hn::Min(one, hn::Add(moved2, strays))));
-        Vec3<V> p = atLength(d, parent, addScaled(laid, displacement, length), stretched, sub(styled, parentRest));
+        const Lanes3 common = root + shape * length + clump * (s * (2.0F - s));
+        const Lanes3 laid = laidAmong(styled, common, displacement, straying, s);
+        Lanes3 p = atLength(parent, laid + displacement * length, stretched, styled - parentRest);
         // Again out of the skin, since restoring the length may lead back in.
         for (int pass = 0; pass < (task.colliders->skin.pairs != nullptr ? 2 : 1); ++pass) {
-            Contact<D> contact = noContact(d);
-            if (!collide(d, task, lanes, i == 1, parent, p, contact))
+            Contact contact = noContact();
+            if (!collide(task, lanes, i == 1, parent, p, contact))
                 break;
-            p = choose(contact.touched, atLength(d, parent, p, stretched, sub(styled, parentRest)), p);
+            p = select(contact.touched, atLength(parent, p, stretched, styled - parentRest), p);
         }
-        store3(d, choose(drawn, task.world.identity ? p : moved(d, task.world, p), nothing), out + offset);
+        write(p, offset);
         parent = p;
         parentRest = styled;
     }
@@ -141,7 +152,6 @@ HWY_INLINE void placeStrands(D d, const DependentsTask& task, const float* HWY_R
 
 void PlaceDependents(const DependentsTask& task, std::size_t begin, std::size_t end)
 {
-    const hn::CappedTag<float, kLanes> d;
     const auto nodes = static_cast<std::size_t>(task.nodes);
     const std::size_t laneStride = dependentRows(*task.colliders) * kLanes;
     HWY_ALIGN float mean[std::size_t{kMostNodes} * 2 * kLanes * 4];
@@ -164,8 +174,8 @@ void PlaceDependents(const DependentsTask& task, std::size_t begin, std::size_t 
             if (lanes[lane] > 0.0F)
                 gather(task, block * kLanes + lane, mean + lane * 4);
         }
-        for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(d))
-            placeStrands(d, task, mean + lane * 4, task.rest + first + lane, lanes + lane, task.out + first + lane);
+        for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(Tag()))
+            placeStrands(task, mean + lane * 4, task.rest + first + lane, lanes + lane, task.out + first + lane);
     }
 }
 

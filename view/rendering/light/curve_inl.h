@@ -1,4 +1,5 @@
-// The drawn curve of as many strands as there are lanes: sim/groom/strand_curve.h says the same for one.
+// The drawn curve of as many strands as there are lanes, by sim/groom/curve_formula.inl, as sim/groom/strand_curve.h
+// for one.
 #if defined(HAIRPAINT_RENDERING_CURVE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIRPAINT_RENDERING_CURVE_INL_H_
 #undef HAIRPAINT_RENDERING_CURVE_INL_H_
@@ -14,85 +15,64 @@ HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
 inline constexpr float kTwoPi = 6.28318531F;
-inline constexpr float kTinySquare = 1e-16F;
 inline constexpr float kNodeTolerance = 1e-3F; ///< Of numbers of nodes.
 
-/// `reference` at unit length in the plane across a unit tangent, or any vector there.
-template<class F>
-HWY_INLINE Triple<F> across(const Triple<F>& reference, const Triple<F>& tangent)
+/// The formula for as many strands as there are lanes.
+namespace of_lanes {
+
+using namespace sim; // The curve's constants.
+using Num = Lanes;
+using Vec3 = Triple<Lanes>;
+using Flag = Yes;
+
+HWY_INLINE bool everywhere(Yes flag)
 {
-    const Triple<F> v = reference - tangent * dot(reference, tangent);
-    const F square = dot(v, v);
-    const auto degenerate = F(1e-8F) > square;
-    if (!any(degenerate))
-        return v * (F(1.0F) / root(square));
-    const auto steep = least(tangent.x * tangent.x, F(0.49F)) < F(0.49F);
-    const Triple<F> axis{select(steep, F(1.0F), F(0.0F)), select(steep, F(0.0F), F(1.0F)), F(0.0F)};
-    const Triple<F> other = axis - tangent * dot(axis, tangent);
-    const Triple<F> chosen = select(degenerate, other, v);
-    return chosen * (F(1.0F) / root(most(dot(chosen, chosen), F(1e-20F))));
+    return all(flag);
+}
+HWY_INLINE Lanes over(Lanes x, float constant)
+{
+    return x * Lanes(1.0F / constant);
+}
+HWY_INLINE Vec3 vec3Of(Lanes x, Lanes y, Lanes z)
+{
+    return {x, y, z};
+}
+HWY_INLINE Vec3 unitOf(const Vec3& v, Lanes squared)
+{
+    return v * (Lanes(1.0F) / root(most(squared, 1e-20F)));
+}
+HWY_INLINE Vec3 reflectedIn(const Vec3& v, const Vec3& axis, Lanes squared)
+{
+    return v - axis * (dot(axis, v) * (Lanes(2.0F) / most(squared, 1e-16F)));
 }
 
-/// One step of the double reflection: carries `reference` from one point and tangent to the next.
-template<class F>
-HWY_INLINE Triple<F> carried(const Triple<F>& reference, const Triple<F>& lastPoint, const Triple<F>& lastTangent,
-                             const Triple<F>& point, const Triple<F>& tangent)
-{
-    const Triple<F> step = point - lastPoint;
-    const F square = dot(step, step);
-    const F per = F(2.0F) / most(square, F(kTinySquare));
-    const Triple<F> reflected = reference - step * (dot(step, reference) * per);
-    const Triple<F> reflectedTangent = lastTangent - step * (dot(step, lastTangent) * per);
-    const Triple<F> second = tangent - reflectedTangent;
-    const F secondSquare = dot(second, second);
-    const F secondPer = F(2.0F) / most(secondSquare, F(kTinySquare));
-    const Triple<F> turned = reflected - second * (dot(second, reflected) * secondPer);
-    return select(square > F(kTinySquare), select(secondSquare > F(kTinySquare), turned, reflected), reference);
-}
+#define CURVE_FUNCTION HWY_INLINE
+#include "sim/groom/curve_formula.inl"
+#undef CURVE_FUNCTION
+
+} // namespace of_lanes
 
 /// At fraction q of a braid of `lengthM`: along the frame's first axis, the strand, and the third.
 HWY_INLINE Triple<Lanes> braidedOffset(const StrandBlock& block, std::size_t lane, Lanes q, Lanes lengthM)
 {
-    const Lanes one(1.0F);
-    const Lanes zero(0.0F);
     const Lanes kind = loaded(block.braid.data() + lane);
-    const Lanes wisp = loaded(block.wisp.data() + lane);
-    const Lanes turns = loaded(block.braidTurns.data() + lane);
     const Yes isLoc = kind > Lanes(2.5F);
     const Yes isTwist = (kind > Lanes(1.5F)) & (kind < Lanes(2.5F));
-    const Lanes parted = least(q * turns * Lanes(1.0F / sim::kBraidEaseTurns), one);
-    const Lanes tuft =
-        select(isLoc, zero, most(q - Lanes(1.0F - sim::kTuftFraction), zero) * Lanes(1.0F / sim::kTuftFraction));
-    const Lanes tie = clamped(
-        (q - Lanes(1.0F - sim::kTuftFraction - sim::kTieFraction)) * Lanes(1.0F / sim::kTieFraction), 0.0F, 1.0F);
-    const Lanes tied = select(isLoc, zero, tie * tie * (Lanes(3.0F) - tie * Lanes(2.0F)));
-    const Lanes r = loaded(block.braidRadiusM.data() + lane) * mixed(Lanes(sim::kBraidFirstFraction), one, parted);
-    const Lanes angle = (turns * q + wisp * select(isTwist, Lanes(0.5F), Lanes(1.0F / 3.0F))) * Lanes(kTwoPi);
-    const Lanes pathR = select(isLoc, zero, select(isTwist, Lanes(sim::kTwistFraction), one)) * r *
-                        mixed(one, Lanes(sim::kTieBraidFraction), tied) * (one - tuft);
-    const Lanes wispR = r *
-                        select(isLoc, Lanes(sim::kLocWispFraction),
-                               select(isTwist, Lanes(sim::kTwistWispFraction), Lanes(sim::kWispRadiusFraction))) *
-                        (mixed(one, Lanes(sim::kTieWispFraction), tied) +
-                         Lanes(sim::kTuftWispFraction - sim::kTieWispFraction) * tuft * (Lanes(2.0F) - tuft));
-    const Lanes swing = select(isTwist, one, Lanes(2.0F)); // Of the third axis, for one of the first.
-    // A hair's place in the wisp lies across the wisp's own path, so that wisps are round.
-    const Lanes perFraction = pathR * turns * Lanes(kTwoPi);
-    const Triple<Lanes> along = unit(Triple<Lanes>{zero - sinOf(angle) * perFraction, most(lengthM, Lanes(1e-6F)),
-                                                   cosOf(angle * swing) * swing * perFraction});
-    const Lanes aside = root(along.y * along.y + along.z * along.z);
-    const Lanes wispX = loaded(block.wispX.data() + lane);
-    const Lanes wispY = loaded(block.wispY.data() + lane);
-    const Lanes x = wispX * wispR;
-    const Lanes y = wispY * wispR;
-    const Lanes shorter =
-        lengthM * Lanes(sim::kTuftFraction * sim::kTuftUneven) * tuft * (wispX * wispX + wispY * wispY);
-    // Along the braid they have the room that their number leaves; a loc is alone.
-    const Lanes room =
-        lengthM * select(isTwist, Lanes(sim::kTwistRoomTurns), Lanes(sim::kPlaitRoomTurns)) / most(turns, Lanes(1e-3F));
-    const Lanes squash = least(one, room / most(wispR, Lanes(1e-6F)));
-    return {cosOf(angle) * pathR + x * aside, zero - (x * along.x * along.y + y * along.z) / aside * squash - shorter,
-            sinOf(angle * swing) * pathR + (y * along.y - x * along.x * along.z) / aside};
+    const of_lanes::BraidedHair hair{.isTwist = isTwist,
+                                     .isLoc = isLoc,
+                                     .pathFraction = of_lanes::braidPathFraction(isTwist, isLoc),
+                                     .radiusM = loaded(block.braidRadiusM.data() + lane),
+                                     .turns = loaded(block.braidTurns.data() + lane),
+                                     .wispX = loaded(block.wispX.data() + lane),
+                                     .wispY = loaded(block.wispY.data() + lane)};
+    const of_lanes::BraidGirth girth = of_lanes::braidGirth(hair, q);
+    const Lanes wisp = loaded(block.wisp.data() + lane);
+    const Lanes angle = (hair.turns * q + wisp * select(isTwist, Lanes(0.5F), Lanes(1.0F / 3.0F))) * Lanes(kTwoPi);
+    const of_lanes::WispPath path = of_lanes::wispPath(isTwist, angle);
+    const Lanes perFraction = girth.pathM * hair.turns * Lanes(kTwoPi);
+    const Triple<Lanes> along =
+        unit(Triple<Lanes>{path.onwardX * perFraction, most(lengthM, Lanes(1e-6F)), path.onwardZ * perFraction});
+    return of_lanes::braidedOffset(hair, girth, path, along, lengthM);
 }
 
 /// Writes spans.total + 1 points [point][3][kMostLanes] of the lanes from `lane` on, Wo.
@@ -106,13 +86,13 @@ HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spa
     int k = 0;
     Triple<Lanes> p1 = node(0);
     Triple<Lanes> p2 = node(1);
-    Triple<Lanes> p0 = p1 + p1 - p2;
-    Triple<Lanes> p3 = nodes > 2 ? node(2) : p2 + p2 - p1;
+    Triple<Lanes> p0 = of_lanes::beyond(p1, p2);
+    Triple<Lanes> p3 = nodes > 2 ? node(2) : of_lanes::beyond(p2, p1);
     Triple<Lanes> lastPoint = p1;
     Triple<Lanes> lastTangent = unit(p2 - p0);
     Triple<Lanes> reference = lastTangent;
     if (block.anyFrame)
-        reference = across(rootTangent, lastTangent);
+        reference = of_lanes::across(rootTangent, lastTangent);
     const float perSpan = 1.0F / static_cast<float>(nodes - 1);
     for (int j = 0, first = 0; j <= spans.total; ++j) {
         while (j - first == spans.of[static_cast<std::size_t>(k)] && k + 2 < nodes) {
@@ -121,22 +101,17 @@ HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spa
             p0 = p1;
             p1 = p2;
             p2 = p3;
-            p3 = k + 2 < nodes ? node(k + 2) : p2 + p2 - p1;
+            p3 = k + 2 < nodes ? node(k + 2) : of_lanes::beyond(p2, p1);
         }
         const float along = static_cast<float>(j - first) / static_cast<float>(spans.of[static_cast<std::size_t>(k)]);
         const float s = (static_cast<float>(k) + along) * perSpan;
         const Lanes t(along);
-        const Triple<Lanes> c1 = (p2 - p0) * Lanes(0.5F);
-        const Triple<Lanes> c2 = p0 - p1 * Lanes(2.5F) + p2 * Lanes(2.0F) - p3 * Lanes(0.5F);
-        const Triple<Lanes> c3 = (p3 - p0) * Lanes(0.5F) + (p1 - p2) * Lanes(1.5F);
-        Triple<Lanes> point = p1 + (c1 + (c2 + c3 * t) * t) * t;
+        const of_lanes::Span span = of_lanes::spanOf(p0, p1, p2, p3);
+        Triple<Lanes> point = of_lanes::positionAt(span, t);
         if (block.anyFrame) {
-            const Triple<Lanes> derivative = c1 + (c2 * Lanes(2.0F) + c3 * (t * Lanes(3.0F))) * t;
-            const Lanes square = dot(derivative, derivative);
-            const Triple<Lanes> tangent =
-                select(square > Lanes(kTinySquare), derivative * (Lanes(1.0F) / root(most(square, Lanes(kTinySquare)))),
-                       lastTangent);
-            reference = carried(reference, lastPoint, lastTangent, point, tangent);
+            const Triple<Lanes> derivative = of_lanes::derivativeAt(span, t);
+            const Triple<Lanes> tangent = of_lanes::tangentOf(derivative, lastTangent);
+            reference = of_lanes::carried(reference, lastPoint, lastTangent, point, tangent);
             lastPoint = point;
             lastTangent = tangent;
             const Triple<Lanes> axis = point;
@@ -148,11 +123,11 @@ HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spa
                 const Lanes at(static_cast<float>(k) + along);
                 const Lanes gathered = at - shared + Lanes(2.0F);
                 braided = (loaded(block.braid.data() + lane) > Lanes(0.5F)) & (gathered > Lanes(0.0F));
-                const Lanes q = clamped((Lanes(s) - start) / most(Lanes(1.0F) - start, Lanes(1e-6F)), 0.0F, 1.0F);
-                const Lanes braidM =
-                    root(square) * Lanes(static_cast<float>(nodes - 1)) * most(Lanes(1.0F) - start, Lanes(1e-6F));
+                const Lanes q = of_lanes::braidFraction(Lanes(s), start);
+                const Lanes braidM = of_lanes::braidLength(root(dot(derivative, derivative)),
+                                                           Lanes(static_cast<float>(nodes - 1)), start);
                 const Triple<Lanes> offset = braidedOffset(block, lane, q, braidM) * least(gathered, Lanes(1.0F));
-                const Triple<Lanes> projected = across(rootTangent, tangent);
+                const Triple<Lanes> projected = of_lanes::across(rootTangent, tangent);
                 const Yes isBefore = at < shared - Lanes(kNodeTolerance);
                 if (along == 0.0F || j == spans.total)
                     reference = select(braided & (at < shared + Lanes(kNodeTolerance)), projected, reference);
@@ -163,12 +138,10 @@ HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spa
             if (block.anyCurl) {
                 const Lanes angle =
                     loaded(block.phase.data() + lane) + loaded(block.turns.data() + lane) * Lanes(kTwoPi * s);
-                const Lanes c = cosOf(angle);
-                const Lanes n = sinOf(angle);
-                const Lanes r =
-                    loaded(block.curlRadiusM.data() + lane) * Lanes(std::min(1.0F, s / sim::kCurlEaseFraction));
+                const Triple<Lanes> offset = of_lanes::curlOffset(angle);
+                const Lanes r = of_lanes::curlRadius(loaded(block.curlRadiusM.data() + lane), Lanes(s));
                 const Triple<Lanes> curled =
-                    axis + (reference * c + cross(tangent, reference) * n + tangent * (c * n)) * r;
+                    axis + (reference * offset.x + cross(tangent, reference) * offset.y + tangent * offset.z) * r;
                 point = block.anyBraid ? select(braided, point, curled) : curled;
             }
         }

@@ -1,0 +1,182 @@
+// The drawn curve of one strand along its skeleton: Catmull-Rom, the rotation-minimising frame (double reflection, Wang
+// et al. 2008), equation 1 (curl) and equation 3 (braid) of Hernandez and Rudomin 2004. One text for strand_curve.cpp
+// (a strand of floats), view/rendering/light/curve_inl.h (as many strands as there are lanes) and the shader
+// strand_expand.comp: read as C++ and as GLSL, so without references and templates.
+//
+// Whoever includes it has defined the types Num, Vec3 and Flag (yes or no), CURVE_FUNCTION before each function, the
+// numbers of curve_constants.h, and the arithmetic: vec3Of, dot, select, everywhere (whether a Flag is yes for all),
+// least, most, clamped, mixed, root, sinOf, cosOf, over (a number by a constant), unitOf (a vector and its squared
+// length) and reflectedIn (a vector, in the plane across another of that squared length). They round as each always
+// did: pictures and exported files keep their bytes. What each has of its own is how it steps along the strand and how
+// it adds the offsets.
+
+const float kTiny = 1e-16F; // A squared length of nothing.
+
+// Catmull-Rom between p1 and p2. Lengths are by node.
+struct Span
+{
+    Vec3 start, c1, c2, c3;
+};
+
+CURVE_FUNCTION Span spanOf(Vec3 p0, Vec3 p1, Vec3 p2, Vec3 p3)
+{
+    Span span;
+    span.start = p1;
+    span.c1 = (p2 - p0) * 0.5F;
+    span.c2 = p0 - p1 * 2.5F + p2 * 2.0F - p3 * 0.5F;
+    span.c3 = (p3 - p0) * 0.5F + (p1 - p2) * 1.5F;
+    return span;
+}
+
+CURVE_FUNCTION Vec3 positionAt(Span span, Num t)
+{
+    return span.start + (span.c1 + (span.c2 + span.c3 * t) * t) * t;
+}
+
+CURVE_FUNCTION Vec3 derivativeAt(Span span, Num t)
+{
+    return span.c1 + (span.c2 * 2.0F + span.c3 * (t * 3.0F)) * t;
+}
+
+// The node beyond `end` where there is none: the curve goes on straight.
+CURVE_FUNCTION Vec3 beyond(Vec3 end, Vec3 before)
+{
+    return end * 2.0F - before;
+}
+
+// A derivative at unit length, or the tangent before it where it has no direction.
+CURVE_FUNCTION Vec3 tangentOf(Vec3 derivative, Vec3 lastTangent)
+{
+    Num squared = dot(derivative, derivative);
+    return select(squared > kTiny, unitOf(derivative, squared), lastTangent);
+}
+
+// `reference` at unit length in the plane across a unit tangent, or any vector there.
+CURVE_FUNCTION Vec3 across(Vec3 reference, Vec3 tangent)
+{
+    Vec3 v = reference - tangent * dot(reference, tangent);
+    Num squared = dot(v, v);
+    Flag isClear = squared > 1e-8F;
+    if (everywhere(isClear))
+        return unitOf(v, squared);
+    Flag isSteep = tangent.x * tangent.x < 0.49F;
+    Vec3 axis = vec3Of(select(isSteep, 1.0F, 0.0F), select(isSteep, 0.0F, 1.0F), 0.0F);
+    Vec3 chosen = select(isClear, v, axis - tangent * dot(axis, tangent));
+    return unitOf(chosen, dot(chosen, chosen));
+}
+
+// One step of the double reflection: carries `reference` from one point and tangent to the next.
+CURVE_FUNCTION Vec3 carried(Vec3 reference, Vec3 lastPoint, Vec3 lastTangent, Vec3 point, Vec3 tangent)
+{
+    Vec3 onward = point - lastPoint;
+    Num squared = dot(onward, onward);
+    Vec3 reflected = reflectedIn(reference, onward, squared);
+    Vec3 turn = tangent - reflectedIn(lastTangent, onward, squared);
+    Num turnSquared = dot(turn, turn);
+    Vec3 turned = reflectedIn(reflected, turn, turnSquared);
+    return select(squared > kTiny, select(turnSquared > kTiny, turned, reflected), reference);
+}
+
+// Equation 1 without its linear part, in units of the radius.
+CURVE_FUNCTION Vec3 curlOffset(Num t)
+{
+    Num c = cosOf(t);
+    Num s = sinOf(t);
+    return vec3Of(c, s, c * s);
+}
+
+// It grows from the root.
+CURVE_FUNCTION Num curlRadius(Num radiusM, Num s)
+{
+    return radiusM * least(Num(1.0F), over(s, kCurlEaseFraction));
+}
+
+// A hair of a braid: a plait of three wisps, a twist of two, or a loc, which is one.
+struct BraidedHair
+{
+    Flag isTwist, isLoc;
+    Num pathFraction; // Of r: the distance of the wisps from the middle of the braid. See braidPathFraction().
+    Num radiusM;      // r
+    Num turns;
+    Num wispX, wispY; // The hair's position in its wisp, in units of the wisp's radius.
+};
+
+CURVE_FUNCTION Num braidPathFraction(Flag isTwist, Flag isLoc)
+{
+    return select(isLoc, Num(0.0F), select(isTwist, Num(kTwistFraction), Num(1.0F)));
+}
+
+// Where a fraction s of the strand lies in a braid that begins at `start`: 0..1.
+CURVE_FUNCTION Num braidFraction(Num s, Num start)
+{
+    return clamped((s - start) / most(1.0F - start, Num(1e-6F)), 0.0F, 1.0F);
+}
+
+// A braid's length, from its derivative's length by node.
+CURVE_FUNCTION Num braidLength(Num perNodeM, Num spans, Num start)
+{
+    return perNodeM * spans * most(1.0F - start, Num(1e-6F));
+}
+
+// How thick a braid is at a fraction q of it.
+struct BraidGirth
+{
+    Num tuft;  // 0..1 over the tuft.
+    Num pathM; // Radius of the wisps' path,
+    Num wispM; // and of a wisp.
+};
+
+CURVE_FUNCTION BraidGirth braidGirth(BraidedHair hair, Num q)
+{
+    Num parted = least(q * hair.turns * (1.0F / kBraidEaseTurns), Num(1.0F));
+    Num r = hair.radiusM * mixed(Num(kBraidFirstFraction), Num(1.0F), parted);
+    Num tie = clamped(over(q - (1.0F - kTuftFraction - kTieFraction), kTieFraction), 0.0F, 1.0F);
+    Num tied = select(hair.isLoc, Num(0.0F), tie * tie * (3.0F - tie * 2.0F));
+    Num fraction = select(hair.isLoc, Num(kLocWispFraction),
+                          select(hair.isTwist, Num(kTwistWispFraction), Num(kWispRadiusFraction)));
+    BraidGirth girth;
+    girth.tuft = select(hair.isLoc, Num(0.0F), over(most(q - (1.0F - kTuftFraction), Num(0.0F)), kTuftFraction));
+    girth.pathM = hair.pathFraction * r * mixed(Num(1.0F), Num(kTieBraidFraction), tied) * (1.0F - girth.tuft);
+    girth.wispM = r * fraction *
+                  (mixed(Num(1.0F), Num(kTieWispFraction), tied) +
+                   (kTuftWispFraction - kTieWispFraction) * girth.tuft * (2.0F - girth.tuft));
+    return girth;
+}
+
+// Equation 3 without its linear part, in units of the path's radius, and how it goes on by a radian. x along the
+// frame's first axis, z along the third. The two wisps of a twist run on a circle.
+struct WispPath
+{
+    Num x, z;
+    Num onwardX, onwardZ;
+};
+
+CURVE_FUNCTION WispPath wispPath(Flag isTwist, Num angle)
+{
+    Num swings = select(isTwist, Num(1.0F), Num(2.0F)); // Along the third axis, for one along the first.
+    WispPath path;
+    path.x = cosOf(angle);
+    path.z = sinOf(angle * swings);
+    path.onwardX = 0.0F - sinOf(angle);
+    path.onwardZ = swings * cosOf(angle * swings);
+    return path;
+}
+
+// From the strand's axis: along the frame's first axis, the strand, and the third. `along`: the wisp's direction there,
+// of unit length in those axes.
+CURVE_FUNCTION Vec3 braidedOffset(BraidedHair hair, BraidGirth girth, WispPath path, Vec3 along, Num braidM)
+{
+    // A hair's position in the wisp lies across the wisp's own path, so that wisps are round.
+    Num aside = root(along.y * along.y + along.z * along.z);
+    Num x = hair.wispX * girth.wispM;
+    Num y = hair.wispY * girth.wispM;
+    // Along the braid they have the room that their number leaves.
+    Num roomM =
+        braidM * select(hair.isTwist, Num(kTwistRoomTurns), Num(kPlaitRoomTurns)) / most(hair.turns, Num(1e-3F));
+    Num squash = least(Num(1.0F), roomM / most(girth.wispM, Num(1e-6F)));
+    Num shorter =
+        braidM * (kTuftFraction * kTuftUneven) * girth.tuft * (hair.wispX * hair.wispX + hair.wispY * hair.wispY);
+    return vec3Of(path.x * girth.pathM + x * aside,
+                  0.0F - (x * along.x * along.y + y * along.z) / aside * squash - shorter,
+                  path.z * girth.pathM + (y * along.y - x * along.x * along.z) / aside);
+}

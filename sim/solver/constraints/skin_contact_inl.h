@@ -1,0 +1,89 @@
+// Contact with the skin: a node nearer than its clearance is moved along the gradient of the skin's distance, which is
+// read trilinearly from a grid (DistanceGrid; signed distance fields, Jones, Baerentzen and Sramek 2006).
+#if defined(HAIRPAINT_SIM_SKIN_CONTACT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAIRPAINT_SIM_SKIN_CONTACT_INL_H_
+#undef HAIRPAINT_SIM_SKIN_CONTACT_INL_H_
+#else
+#define HAIRPAINT_SIM_SKIN_CONTACT_INL_H_
+#endif
+
+#include "sim/solver/constraints/contact_inl.h"
+#include "sim/solver/solver_layout.h"
+
+#include <bit>
+
+HWY_BEFORE_NAMESPACE();
+namespace hairpaint::sim::HWY_NAMESPACE {
+
+/// What four neighbours hold: those at the lower x, and by how much more the others do.
+struct CellFace
+{
+    Lanes low, rise;           ///< At the lower y,
+    Lanes lowAbove, riseAbove; ///< at the higher.
+};
+
+/// Of one 32-bit load a lane; the grid is padded at its end, so that it stays inside.
+HWY_INLINE CellFace cellFace(const DistanceGrid::Pair* HWY_RESTRICT pairs, Ints offset)
+{
+    static_assert(std::endian::native == std::endian::little && sizeof(DistanceGrid::Pair) == 2);
+    const IntTag di;
+    const Ints word = hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(pairs), hn::Add(offset, offset));
+    const Ints low = hn::ShiftRight<24>(hn::ShiftLeft<24>(word));
+    const Ints lowAbove = hn::ShiftRight<24>(hn::ShiftLeft<16>(word));
+    const Ints high = hn::ShiftRight<24>(hn::ShiftLeft<8>(word));
+    const Ints highAbove = hn::ShiftRight<24>(word);
+    return {asFloats(low), asFloats(hn::Sub(high, low)), asFloats(lowAbove), asFloats(hn::Sub(highAbove, lowAbove))};
+}
+
+/// Moves p so far from the skin, all in metres: to first order and at most `furthest`. Returns whether any lane was
+/// nearer.
+HWY_INLINE bool pushOutOfSkin(const SkinField& skin, Lanes clearance, Lanes furthest, Lanes3& p, Contact& contact)
+{
+    const IntTag di;
+    Lanes3 cell = (p - everyLane(skin.origin)) * skin.inverseCell;
+    Yes inGrid = (cell.x >= 0.0F) & (cell.x < skin.last[0]); // false for not a number
+    inGrid = inGrid & ((cell.y >= 0.0F) & (cell.y < skin.last[1]));
+    inGrid = inGrid & ((cell.z >= 0.0F) & (cell.z < skin.last[2]));
+    if (!any(inGrid))
+        return false;
+    cell = select(inGrid, cell, Lanes3{0.0F, 0.0F, 0.0F});
+    const Ints x = asInts(cell.x);
+    const Ints y = asInts(cell.y);
+    const Ints z = asInts(cell.z);
+    const Ints first = hn::Add(x, hn::Add(hn::Mul(y, hn::Set(di, skin.row)), hn::Mul(z, hn::Set(di, skin.slice))));
+    const CellFace front = cellFace(skin.pairs, first);
+    const Lanes toUnits(1.0F / DistanceGrid::kUnitM);
+    const Lanes clear = clearance * toUnits;
+    const Yes near = inGrid & (front.low < clear + skin.unitsADiagonal);
+    if (!any(near))
+        return false;
+
+    const CellFace back = cellFace(skin.pairs + skin.slice, first);
+    const Lanes3 t = cell - Lanes3{asFloats(x), asFloats(y), asFloats(z)};
+    const Lanes x00 = front.low + front.rise * t.x;
+    const Lanes x10 = front.lowAbove + front.riseAbove * t.x;
+    const Lanes x01 = back.low + back.rise * t.x;
+    const Lanes x11 = back.lowAbove + back.riseAbove * t.x;
+    const Lanes low = mixed(x00, x10, t.y);
+    const Lanes high = mixed(x01, x11, t.y);
+    const Lanes depth = clear - mixed(low, high, t.z);
+    const Yes inside = inGrid & (depth > 0.0F);
+    if (!any(inside))
+        return false;
+    // Units a cell; where the distance does not change, in the middle of a thin sheet, p stays.
+    const Lanes3 slope{mixed(mixed(front.rise, front.riseAbove, t.y), mixed(back.rise, back.riseAbove, t.y), t.z),
+                       mixed(x10 - x00, x11 - x01, t.z), high - low};
+    const Lanes3 g = slope * (1.0F / skin.unitsACell);
+    const Lanes g2 = most(dot(g, g), 0.04F);
+    const Lanes leave = least(depth, furthest * toUnits);
+    const Lanes inverse = Lanes(1.0F) / g2;
+    const Lanes stride = leave * DistanceGrid::kUnitM * inverse;
+    p = select(inside, p + g * stride, p);
+    touch(contact, inside, g, inverse, stride * stride * g2);
+    return true;
+}
+
+} // namespace hairpaint::sim::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

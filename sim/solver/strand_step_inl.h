@@ -1,0 +1,181 @@
+// One step of a group's basis hairs: the list of what acts on them, each in a file of its own under constraints/.
+#if defined(HAIRPAINT_SIM_STRAND_STEP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAIRPAINT_SIM_STRAND_STEP_INL_H_
+#undef HAIRPAINT_SIM_STRAND_STEP_INL_H_
+#else
+#define HAIRPAINT_SIM_STRAND_STEP_INL_H_
+#endif
+
+#include "sim/base/at_length_inl.h"
+#include "sim/solver/constraints/bending_inl.h"
+#include "sim/solver/constraints/coil_inl.h"
+#include "sim/solver/constraints/fibre_damping_inl.h"
+#include "sim/solver/constraints/friction_inl.h"
+#include "sim/solver/constraints/inertia_inl.h"
+#include "sim/solver/constraints/length_inl.h"
+#include "sim/solver/constraints/neck_contact_inl.h"
+#include "sim/solver/constraints/sleep_inl.h"
+#include "sim/solver/constraints/speed_limit_inl.h"
+#include "sim/solver/constraints/wind_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hairpaint::sim::HWY_NAMESPACE {
+
+/// A node leaves a solid or the skin by at most this much in a step, m.
+constexpr float kFastestLeaveM = 0.02F;
+
+/// What a step's strands read and write. Every pointer is already at their block and lane.
+struct StrandRows
+{
+    const float* HWY_RESTRICT rest;
+    const float* HWY_RESTRICT current;
+    float* HWY_RESTRICT next;
+    float* HWY_RESTRICT previous;
+    float* HWY_RESTRICT lanes;
+    float* HWY_RESTRICT p; ///< Scratch: where nodes are headed.
+};
+
+/// Where equation 5, with drag, gravity and wind, and the strand's own stiffness lead its nodes, into rows.p.
+HWY_INLINE void predict(const GroupGains& gains, const StepForces& step, const StrandRows& rows)
+{
+    const Lanes inverseSquare = loaded(rows.lanes + kInverseSquare * kLanes);
+    const Lanes3 gravity = everyLane(step.gravity) * gains.gravityScale;
+    StrandAir air{};
+    if (step.windy)
+        air = airAround(step, rows.lanes);
+    HWY_ALIGN float eliminated[std::size_t{kMostNodes} * 2 * kLanes];
+    BendingSolve bending(gains.nodes, rows.lanes, eliminated);
+    Lanes3 before = loaded3(rows.current);
+    if (!step.toNewHead.identity)
+        before = moved(step.toNewHead, before);
+    stored3(loaded3(rows.rest), rows.p);
+    const int last = gains.nodes - 1;
+    NodeMotion upcoming = motionOf(step, gains.drag, rows.current, rows.previous, 1);
+    Lanes3 velocityBefore{0.0F, 0.0F, 0.0F};
+    for (int i = 1; i <= last; ++i) {
+        const auto node = static_cast<std::size_t>(i);
+        const Lanes3 x = upcoming.position;
+        Lanes3 v = upcoming.velocity;
+        if (i < last) {
+            upcoming = motionOf(step, gains.drag, rows.current, rows.previous, i + 1);
+            const Lanes3 undamped = v;
+            v = dampedBending(velocityBefore, v, upcoming.velocity);
+            velocityBefore = undamped;
+        }
+        if (step.windy)
+            v = blown(gains, airAt(air, gains, step, node, x), x - before, inverseSquare, v);
+        const Lanes3 styled = loaded3(rows.rest + node * StrandBlocks::kNodeStride);
+        bending.eliminate(i, x + v + gravity - styled, rows.p);
+        before = x;
+    }
+    bending.substitute(rows.rest, rows.p);
+}
+
+/// A node and what it must stay out of.
+struct Obstacles
+{
+    const ColliderSet& colliders;
+    const NeckTurn& neck;
+    const float* HWY_RESTRICT lanes;
+    Lanes clearance; ///< From the skin, m.
+    bool first;      ///< Node of the strand.
+    Lanes3 parent;
+};
+
+/// Keeps a node outside every solid, and it and its segment outside the skin; true where any lane was inside one.
+/// `ofSkin`: the lanes that were inside the skin.
+HWY_INLINE bool collide(const Obstacles& obstacles, Lanes3& p, Contact& contact, Yes& ofSkin)
+{
+    const ColliderSet& colliders = obstacles.colliders;
+    bool touches = false;
+    for (int c = 0; c < colliders.count; ++c)
+        touches |= pushOut(colliders.items[static_cast<std::size_t>(c)], obstacles.neck,
+                           loaded(obstacles.lanes + (kScale + c) * kLanes), kFastestLeaveM, p, contact);
+    if (colliders.skin.pairs != nullptr &&
+        pushSegmentOutOfSkin(colliders.skin, obstacles.neck, obstacles.clearance, kFastestLeaveM, obstacles.first,
+                             obstacles.parent, p, contact)) {
+        ofSkin = contact.latest;
+        touches = true;
+    }
+    return touches;
+}
+
+/// The same for a node that was pushed out and then brought to its length: out of the skin again where it was in it,
+/// and of the solids where they are all there is.
+HWY_INLINE bool collideAgain(const Obstacles& obstacles, Lanes3& p, Contact& contact, Yes ofSkin)
+{
+    if (obstacles.colliders.skin.pairs == nullptr)
+        return collide(obstacles, p, contact, ofSkin);
+    if (!any(ofSkin))
+        return false;
+    return pushSegmentOutOfSkin(obstacles.colliders.skin, obstacles.neck,
+                                select(ofSkin, obstacles.clearance, -kUnwanted), kFastestLeaveM, obstacles.first,
+                                obstacles.parent, p, contact);
+}
+
+/// How far the strand's girth keeps a node from the skin, m.
+HWY_INLINE Lanes clearanceOf(const float* HWY_RESTRICT lanes, Lanes length, int node)
+{
+    const Lanes eased = length * (kGirthSlope * static_cast<float>(node));
+    return least(loaded(lanes + kGirth * kLanes), eased) + kSkinClearanceM;
+}
+
+/// One exact pass from root to tip: each node at its length, outside of what it touches, its velocity for the next
+/// step.
+HWY_INLINE Lanes3 placeNode(const GroupGains& gains, const ColliderSet& colliders, const StepForces& step,
+                            const StrandRows& rows, int node, Lanes length, Yes moving, const Lanes3& parent)
+{
+    const std::size_t offset = static_cast<std::size_t>(node) * StrandBlocks::kNodeStride;
+    const Lanes3 start = loaded3(rows.current + offset);
+    const Lanes3 lie = loaded3(rows.lanes + kLieX * kLanes);
+    const Obstacles obstacles{colliders, step.neck, rows.lanes, clearanceOf(rows.lanes, length, node),
+                              node == 1, parent};
+    Lanes3 p = atLength(parent, loaded3(rows.p + offset), length, lie);
+    Contact contact = noContact();
+    Yes ofSkin = contact.touched;
+    if (collide(obstacles, p, contact, ofSkin)) {
+        p = rubbed(gains, contact, start, p);
+        p = select(contact.touched, atLength(parent, p, length, lie), p);
+        Contact second = noContact();
+        if (collideAgain(obstacles, p, second, ofSkin))
+            p = select(second.touched, atLength(parent, p, length, lie), p);
+    }
+
+    const Lanes3 onHead = p - start; // motion as the head sees it
+    Lanes3 velocity = step.toNewHead.identity ? onHead : p - moved(step.toNewHead, start);
+    // Held shapes, and roots by the hair around them, go along with the head.
+    const Lanes keep = loaded(rows.lanes + kHoldKeep * kLanes) * gains.rootKeep[static_cast<std::size_t>(node)];
+    velocity = velocity - onHead * (1.0F - keep);
+    velocity = limited(sliding(contact, onHead, keep, velocity));
+    p = select(moving, p, start);
+    stored3(p, rows.next + offset);
+    stored3(select(moving, p - velocity, p), rows.previous + offset);
+    return p;
+}
+
+HWY_INLINE void stepStrands(const GroupGains& gains, const ColliderSet& colliders, const StepForces& step,
+                            const StrandRows& rows)
+{
+    StillWatch watch(step.windy, rows.lanes);
+    const Lanes length = coiledLength(rows.lanes);
+    predict(gains, step, rows);
+    const Lanes tension = restoreLengths(gains.nodes, length, watch.moving(), rows.p);
+    swingCoil(gains.nodes, watch.moving(), tension * length, rows.lanes);
+    const Lanes3 root = loaded3(rows.rest);
+    stored3(root, rows.next);
+    stored3(root, rows.previous);
+    Lanes3 p = root;
+    for (int node = 1; node < gains.nodes; ++node) {
+        p = placeNode(gains, colliders, step, rows, node, length, watch.moving(), p);
+        watch.see(node, gains.nodes, p, rows.lanes);
+    }
+    const Yes lost = isLost(loaded3(rows.rest), p);
+    if (HWY_UNLIKELY(any(lost)))
+        restart(gains.nodes, lost, rows.rest, rows.next, rows.previous);
+    watch.finish(step.windy, gains.nodes, rows.next, rows.lanes);
+}
+
+} // namespace hairpaint::sim::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
