@@ -219,17 +219,18 @@ bool EditorState::setCollidersShown(bool shown)
     return setOption(m_collidersShown, shown);
 }
 
-std::optional<std::size_t> EditorState::chosenCollider() const
+model::Id EditorState::chosenWorn() const
 {
-    const bool there = m_chosenCollider && *m_chosenCollider < m_document.project().ellipsoids.size();
-    return there && m_collidersShown ? m_chosenCollider : std::nullopt;
+    const model::Worn* worn = m_document.project().wornThing(m_chosenWorn);
+    const bool seen = worn != nullptr && (m_collidersShown || wornSpec(worn->kind).drawn());
+    return seen ? m_chosenWorn : 0;
 }
 
-bool EditorState::setChosenCollider(std::optional<std::size_t> index)
+bool EditorState::setChosenWorn(model::Id id)
 {
-    if (index == m_chosenCollider)
+    if (id == m_chosenWorn)
         return false;
-    m_chosenCollider = index;
+    m_chosenWorn = id;
     Q_EMIT viewOptionsChanged();
     return true;
 }

@@ -72,12 +72,12 @@ public:
     bool setNightPaper(bool night);
     [[nodiscard]] bool wireframe() const { return m_wireframe; }
     bool setWireframe(bool shown);
-    /// The project's ellipsoids over the head.
+    /// The outlines of all that is worn, also of what is never drawn.
     [[nodiscard]] bool collidersShown() const { return m_collidersShown; }
     bool setCollidersShown(bool shown);
-    /// The one of them that is edited; none while they are not shown.
-    [[nodiscard]] std::optional<std::size_t> chosenCollider() const;
-    bool setChosenCollider(std::optional<std::size_t> index);
+    /// The worn thing that is edited; 0: none, as while it is not seen.
+    [[nodiscard]] model::Id chosenWorn() const;
+    bool setChosenWorn(model::Id id);
     /// Short hairs on the head that tell the active direction map, while it is the active one.
     [[nodiscard]] bool directionsShown() const { return m_directionsShown; }
     bool setDirectionsShown(bool shown);
@@ -157,7 +157,7 @@ private:
     bool m_nightPaper = true;
     bool m_wireframe = true;
     bool m_collidersShown = false;
-    std::optional<std::size_t> m_chosenCollider;
+    model::Id m_chosenWorn = 0;
     bool m_directionsShown = true;
     std::optional<Hover> m_hover;
     std::shared_ptr<const sim::StrandFrame> m_hair;

@@ -133,7 +133,7 @@ std::optional<sim::SurfacePoint> HeadScene::skinAt(QPointF position) const
     return skin()->pick(inHead(rayThrough(m_scene.camera, position, QSizeF(m_area.size())), shownPose()));
 }
 
-std::optional<sim::SurfacePoint> HeadScene::placeForCollider() const
+std::optional<sim::SurfacePoint> HeadScene::pointForWorn() const
 {
     return m_brush ? m_brush : skinAt(QRectF(m_area.rect()).center());
 }

@@ -42,7 +42,7 @@ public:
     [[nodiscard]] std::optional<rendering::Camera> cameraAtBrush() const;
 
     /// Where the brush was last, or what the middle of the area shows; none off the head.
-    [[nodiscard]] std::optional<sim::SurfacePoint> placeForCollider() const;
+    [[nodiscard]] std::optional<sim::SurfacePoint> pointForWorn() const;
 
     /// The document's head; null without one.
     [[nodiscard]] const sim::Skin* skin() const;
