@@ -97,6 +97,7 @@ void HeadScene::setEnvironment(const model::Project& project, const model::Light
 {
     m_scene.light = sceneLight(light);
     m_scene.skin = sceneSkin(project.skin);
+    m_scene.solids = sceneSolids(project.worn);
     m_scene.background = linearColour(project.background);
 }
 
