@@ -63,28 +63,6 @@
     </message>
 </context>
 <context>
-    <name>ColliderDrag</name>
-    <message>
-        <source>Size collider</source>
-        <translation>Cambiar tamaño del elipsoide de colisión</translation>
-    </message>
-    <message>
-        <source>Move collider</source>
-        <translation>Mover elipsoide de colisión</translation>
-    </message>
-</context>
-<context>
-    <name>ColliderEdit</name>
-    <message>
-        <source>Add collider</source>
-        <translation>Añadir elipsoide de colisión</translation>
-    </message>
-    <message>
-        <source>Remove collider</source>
-        <translation>Quitar elipsoide de colisión</translation>
-    </message>
-</context>
-<context>
     <name>CommandLine</name>
     <message>
         <source>No file name belongs here</source>
@@ -1263,6 +1241,14 @@
     <message>
         <source>it leads to a file without a name, which nothing can take the place of; choose another name</source>
         <translation>lleva a un archivo sin nombre, cuyo lugar nada puede ocupar; elige otro nombre</translation>
+    </message>
+    <message>
+        <source>something worn in it is of a kind that is not known to this one</source>
+        <translation>esta versión no conoce el tipo de algo que se lleva en él</translation>
+    </message>
+    <message>
+        <source>What is worn in the hair is lost.</source>
+        <translation>Se ha perdido lo que se lleva en el pelo.</translation>
     </message>
 </context>
 <context>
@@ -2678,6 +2664,37 @@
     </message>
 </context>
 <context>
+    <name>Worn</name>
+    <message>
+        <source>Add &amp;collider here</source>
+        <translation>Añadir &amp;elipsoide de colisión aquí</translation>
+    </message>
+    <message>
+        <source>An ellipsoid where the pointer was last on the head, which hair does not enter; %1 at most</source>
+        <translation>Un elipsoide donde estuvo el puntero por última vez sobre la cabeza, en el que el pelo no entra; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Remove c&amp;ollider</source>
+        <translation>Quitar elip&amp;soide de colisión</translation>
+    </message>
+    <message>
+        <source>Add collider</source>
+        <translation>Añadir elipsoide de colisión</translation>
+    </message>
+    <message>
+        <source>Remove collider</source>
+        <translation>Quitar elipsoide de colisión</translation>
+    </message>
+    <message>
+        <source>Move collider</source>
+        <translation>Mover elipsoide de colisión</translation>
+    </message>
+    <message>
+        <source>Size collider</source>
+        <translation>Cambiar tamaño del elipsoide de colisión</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::app::ClipCommands</name>
     <message>
         <source>Copied from %1</source>
@@ -3015,24 +3032,12 @@
         <translation>Despacio a un lado y al otro, para que el pelo oscile</translation>
     </message>
     <message>
-        <source>Add &amp;collider here</source>
-        <translation>Añadir &amp;elipsoide de colisión aquí</translation>
-    </message>
-    <message>
-        <source>Remove c&amp;ollider</source>
-        <translation>Quitar elip&amp;soide de colisión</translation>
-    </message>
-    <message>
         <source>Hol&amp;d as it lies now</source>
         <translation>Fi&amp;jar como está ahora</translation>
     </message>
     <message>
         <source>Paints directions and gel so that the active group&apos;s hair, inside the selection if there is one, stays as it lies now</source>
         <translation>Pinta direcciones y gel para que el pelo del grupo activo, dentro de la selección si la hay, quede como está ahora</translation>
-    </message>
-    <message>
-        <source>An ellipsoid where the pointer was last on the head, which hair does not enter; %1 at most</source>
-        <translation>Un elipsoide donde estuvo el puntero por última vez sobre la cabeza, en el que el pelo no entra; %1 como máximo</translation>
     </message>
     <message>
         <source>&amp;Wind blows</source>

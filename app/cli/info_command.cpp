@@ -2,8 +2,8 @@
 #include "app/cli/command.h"
 #include "app/styles/library.h"
 #include "model/document/document.h"
-#include "model/files/migrations.h"
 #include "model/files/project_file.h"
+#include "model/files/project_json.h"
 #include "model/values/names.h"
 #include "sim/groom/groom.h"
 
@@ -60,7 +60,7 @@ QJsonObject describe(const model::Project& project, const std::vector<std::share
                                   {QStringLiteral("maps"), mapsOf(group)}});
     }
     const sim::HeadMesh& mesh = project.head->skin->mesh();
-    return {{QStringLiteral("format_version"), model::kFormatVersion},
+    return {{QStringLiteral("format_version"), model::formatVersionOf(project)},
             {QStringLiteral("seed"), static_cast<qint64>(project.seed)},
             {QStringLiteral("max_candidates"), project.maxHairs},
             {QStringLiteral("max_hairs"), project.maxHairs}, // Its name in 0.1.

@@ -175,7 +175,7 @@ ExitCode runNew(const QStringList& arguments)
         if (!head)
             return failed(head.error());
         project.head = std::move(head->head);
-        project.ellipsoids = std::move(head->ellipsoids);
+        project.setShapesOfHead(head->ellipsoids);
     }
     if (const QString name = parser.value(QStringLiteral("preset")); !name.isEmpty()) {
         const model::Result<model::Preset> preset = loadPresetNamed(name);

@@ -74,7 +74,7 @@ void HeadExchange::moveLandmarks()
         return;
     const std::shared_ptr<const model::Head> head = withLandmarksAsked(project.head);
     if (head != nullptr && head != project.head)
-        replaceHead(head, project.ellipsoids, true);
+        replaceHead(head, model::shapesOfHead(project.worn), true);
 }
 
 void HeadExchange::useBuiltInHead(const model::NamedHead& named)

@@ -79,13 +79,16 @@ struct LayerProperties
 [[nodiscard]] CommandPtr setLightCommand(Document& document, const LightSettings& light);
 [[nodiscard]] CommandPtr setBackgroundCommand(Document& document, QRgb background);
 [[nodiscard]] CommandPtr setSkinCommand(Document& document, SkinTone skin);
-[[nodiscard]] CommandPtr setEllipsoidsCommand(Document& document, std::vector<sim::Ellipsoid> ellipsoids,
-                                              const QString& text);
+/// With a new id, behind those of its kind. Null where the project holds as many as it may.
+[[nodiscard]] CommandPtr addWornCommand(Document& document, Worn worn);
+/// Null where there is none.
+[[nodiscard]] CommandPtr removeWornCommand(Document& document, Id id);
 /// What undo says of wind, light and background, for edits that are shown before they are kept.
 [[nodiscard]] QString windStepText();
 [[nodiscard]] QString lightStepText();
 [[nodiscard]] QString backgroundStepText();
-/// With the groups as they were carried to it (style_transfer.h), or the maps taken as they lie.
+/// With the ellipsoids that it brings, and the groups as they were carried to it (style_transfer.h), or the maps taken
+/// as they lie.
 [[nodiscard]] CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head,
                                         std::vector<sim::Ellipsoid> ellipsoids,
                                         std::optional<std::vector<HairGroup>> groups = {});

@@ -170,7 +170,7 @@ sim::GroomInput Document::groomInput() const
         if (shown.head->landmarks)
             input.neck = sim::neckOf(shown.head->landmarks, shown.head->skin->mesh());
     }
-    input.colliders = shown.ellipsoids;
+    input.colliders = contactShapes(shown.worn);
     input.seed = shown.seed;
     input.maxHairs = shown.maxHairs;
     input.revision = m_state->revision;

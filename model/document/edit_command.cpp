@@ -73,11 +73,13 @@ struct EnvironmentPart
     LightSettings light;
     QRgb background = 0;
     SkinTone skin = SkinTone::Clay;
-    std::vector<sim::Ellipsoid> ellipsoids;
+    std::vector<Worn> worn;
+    Id nextId = 1;
 
     static EnvironmentPart take(const Project& project, const Change& /*change*/)
     {
-        EnvironmentPart part{project.wind, project.light, project.background, project.skin, project.ellipsoids};
+        EnvironmentPart part{project.wind, project.light, project.background,
+                             project.skin, project.worn,  project.nextId};
         part.wind.enabled = true; // Whether it blows is no part of the history: Document::setWindOn.
         return part;
     }
@@ -87,7 +89,8 @@ struct EnvironmentPart
         project.light = light;
         project.background = background;
         project.skin = skin;
-        project.ellipsoids = ellipsoids;
+        project.worn = worn;
+        project.nextId = nextId;
     }
     friend bool operator==(const EnvironmentPart&, const EnvironmentPart&) = default;
 };
@@ -95,16 +98,18 @@ struct EnvironmentPart
 struct HeadPart
 {
     std::shared_ptr<const Head> head;
-    std::vector<sim::Ellipsoid> ellipsoids;
+    std::vector<Worn> worn;
+    Id nextId = 1;
 
     static HeadPart take(const Project& project, const Change& /*change*/)
     {
-        return {project.head, project.ellipsoids};
+        return {project.head, project.worn, project.nextId};
     }
     void put(Project& project, const Change& /*change*/) const
     {
         project.head = head;
-        project.ellipsoids = ellipsoids;
+        project.worn = worn;
+        project.nextId = nextId;
     }
     friend bool operator==(const HeadPart& a, const HeadPart& b) { return a.head == b.head; }
 };

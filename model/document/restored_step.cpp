@@ -36,7 +36,7 @@ void RestoredStep::put(const Project& from, const Project& to)
         project.light = to.light;
         project.background = to.background;
         project.skin = to.skin;
-        project.ellipsoids = to.ellipsoids;
+        project.worn = to.worn;
     });
 }
 

@@ -1,4 +1,4 @@
-// Wind, light, background, skin and the head.
+// Wind, light, background, skin, what is worn and the head.
 #include "model/document/command_texts.h"
 #include "model/document/edit_command.h"
 
@@ -70,12 +70,27 @@ CommandPtr setSkinCommand(Document& document, SkinTone skin)
                               [skin](Project& project) { project.skin = skin; });
 }
 
-CommandPtr setEllipsoidsCommand(Document& document, std::vector<sim::Ellipsoid> ellipsoids, const QString& text)
+CommandPtr addWornCommand(Document& document, Worn worn)
 {
-    if (ellipsoids.size() > kMostEllipsoids || !differs(document, &Project::ellipsoids, ellipsoids))
+    const WornSpec& spec = wornSpec(worn.kind);
+    document.endEdit();
+    if (countOf(document.committed().worn, worn.kind) >= spec.limit)
         return nullptr;
-    return environmentCommand(
-        document, text, [ellipsoids = std::move(ellipsoids)](Project& project) { project.ellipsoids = ellipsoids; });
+    return environmentCommand(document, wornText(spec.addStep), [worn](Project& project) mutable {
+        worn.id = project.takeId();
+        insertWorn(project.worn, worn);
+    });
+}
+
+CommandPtr removeWornCommand(Document& document, Id id)
+{
+    document.endEdit();
+    const Worn* worn = document.committed().wornThing(id);
+    if (worn == nullptr)
+        return nullptr;
+    return environmentCommand(document, wornText(wornSpec(worn->kind).removeStep), [id](Project& project) {
+        std::erase_if(project.worn, [id](const Worn& one) { return one.id == id; });
+    });
 }
 
 CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head, std::vector<sim::Ellipsoid> ellipsoids,
@@ -85,7 +100,7 @@ CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head, 
         return nullptr;
     const auto setHead = [head = std::move(head), ellipsoids = std::move(ellipsoids)](Project& project) {
         project.head = head;
-        project.ellipsoids = ellipsoids;
+        project.setShapesOfHead(ellipsoids);
     };
     Change change;
     change.aspect = Change::Aspect::Head;

@@ -16,7 +16,7 @@ constexpr double kMeasured = 0.2;
 
 Result<void> addProject(ExportRequest& request, const Project& project, const QString& avatarName, const QString& path)
 {
-    request.colliders = project.ellipsoids;
+    request.colliders = contactShapes(project.worn);
     request.skinColour = skinLook(project.skin).skin;
     if (!request.format->isAvatar)
         return {};

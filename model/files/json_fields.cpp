@@ -82,6 +82,19 @@ void FieldReader::text(const char* key, QString& value)
     value = string;
 }
 
+void FieldReader::colour(const char* key, QRgb& value)
+{
+    constexpr qsizetype kLength = 7;
+    QString text;
+    this->text(key, text);
+    if (!contains(key))
+        return;
+    const QColor colour(text);
+    if (text.size() != kLength || !text.startsWith(QLatin1Char('#')) || !colour.isValid())
+        return complain(key);
+    value = colour.rgb();
+}
+
 void FieldReader::numbers(const char* key, std::span<float> values, float least, float greatest)
 {
     const QJsonValue found = m_object.value(QLatin1String(key));
@@ -125,6 +138,11 @@ void FieldWriter::text(const char* key, const QString& value)
     QString kept = value.left(kLongestName);
     kept.remove(QChar::Null);
     m_object.insert(QLatin1String(key), kept);
+}
+
+void FieldWriter::colour(const char* key, QRgb value)
+{
+    text(key, QColor(value).name(QColor::HexRgb));
 }
 
 void FieldWriter::numbers(const char* key, std::span<const float> values, float least, float greatest)

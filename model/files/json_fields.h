@@ -4,6 +4,7 @@
 // moves to the nearest end.
 #pragma once
 
+#include <QColor>
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QString>
@@ -35,6 +36,7 @@ public:
     void integer(const char* key, int& value, int least, int greatest);
     void boolean(const char* key, bool& value);
     void text(const char* key, QString& value);
+    void colour(const char* key, QRgb& value); ///< "#rrggbb", opaque.
     /// `values.size()` numbers in an array.
     void numbers(const char* key, std::span<float> values, float least, float greatest);
     template<typename Enum, std::size_t N>
@@ -75,6 +77,7 @@ public:
     void integer(const char* key, int value, int least, int greatest);
     void boolean(const char* key, bool value);
     void text(const char* key, const QString& value);
+    void colour(const char* key, QRgb value);
     void numbers(const char* key, std::span<const float> values, float least, float greatest);
     template<typename Enum, std::size_t N>
     void choice(const char* key, Enum value, const std::array<Choice<Enum>, N>& choices)

@@ -42,8 +42,11 @@ void toVersion2(QJsonObject& root)
         root.insert(groupsKey, groups);
 }
 
+/// Version 3 adds the array `worn`; what was there before is as it was.
+void toVersion3(QJsonObject& /*root*/) {}
+
 /// kSteps[n - 1] brings version n to n + 1.
-constexpr std::array<Step, kFormatVersion - 1> kSteps = {toVersion2};
+constexpr std::array<Step, kFormatVersion - 1> kSteps = {toVersion2, toVersion3};
 
 } // namespace
 

@@ -89,6 +89,8 @@ Result<void> saveProject(const Project& project, const QString& path, const QIma
             return write(project, path, thumbnail, encoded, progress);
         Project renumbered = project;
         renumber(renumbered.groups, renumbered.nextId);
+        for (Worn& one : renumbered.worn)
+            one.id = renumbered.takeId();
         return write(renumbered, path, thumbnail, encoded, progress);
     });
 }
@@ -98,8 +100,8 @@ Project newProject()
     Project project;
     project.maxHairs = kMostHairs; // A file that does not say has a smaller limit.
     project.head = builtInHead();
-    project.ellipsoids = builtInEllipsoids();
     project.groups.push_back(makeGroup(project, QStringLiteral("Scalp")));
+    project.setShapesOfHead(builtInEllipsoids());
     return project;
 }
 

@@ -5,6 +5,7 @@
 #include "model/files/json_fields.h"
 #include "model/files/json_structure.h"
 #include "model/files/migrations.h"
+#include "model/files/worn_json.h"
 #include "sim/groom/roots.h"
 
 #include <QJsonDocument>
@@ -74,17 +75,6 @@ void visitLight(Fields& fields, LightSettings& light)
     fields.number("rim", light.rim, 0.0F, 4.0F);
     fields.choice("surroundings", light.surroundings, choicesOf<Surroundings>(surroundingsNames()));
     fields.choice("scattering", light.scattering, choicesOf<Scattering>(scatteringNames()));
-}
-
-template<typename Fields, typename AnyEllipsoid>
-void visitEllipsoid(Fields& fields, AnyEllipsoid& ellipsoid)
-{
-    fields.numbers("centre_m", components(ellipsoid.centreHd), -100.0F, 100.0F);
-    fields.numbers("semi_axes_m", components(ellipsoid.semiAxesM), 1e-4F, 100.0F);
-    std::array<float, 4> turn = {ellipsoid.rotation.x, ellipsoid.rotation.y, ellipsoid.rotation.z,
-                                 ellipsoid.rotation.w};
-    fields.numbers("rotation", std::span<float>(turn), -1.0F, 1.0F);
-    ellipsoid.rotation = glm::quat(turn[3], turn[0], turn[1], turn[2]);
 }
 
 template<typename Fields, typename AnyHead>
@@ -208,27 +198,6 @@ Checked<std::vector<HairGroup>> parseGroups(const QJsonObject& root, Id& nextId)
     return parsed;
 }
 
-Checked<std::vector<sim::Ellipsoid>> parseEllipsoids(const QJsonValue& value)
-{
-    std::vector<sim::Ellipsoid> ellipsoids;
-    if (value.isUndefined())
-        return ellipsoids;
-    const QJsonArray array = value.toArray();
-    if (!value.isArray() || array.size() > qsizetype{kMostEllipsoids})
-        return brokenKey("ellipsoids");
-    QString problem;
-    for (const QJsonValueConstRef item : array) {
-        sim::Ellipsoid ellipsoid;
-        FieldReader fields(item.toObject(), problem);
-        visitEllipsoid(fields, ellipsoid);
-        const glm::quat& q = ellipsoid.rotation;
-        if (!item.isObject() || !problem.isEmpty() || glm::dot(q, q) < 1e-6F)
-            return brokenKey("ellipsoids");
-        ellipsoids.push_back(ellipsoid);
-    }
-    return ellipsoids;
-}
-
 Checked<void> parseSeed(const QJsonObject& root, std::uint64_t& seed)
 {
     const QJsonValue value = root.value(QLatin1String("seed"));
@@ -243,19 +212,6 @@ Checked<void> parseSeed(const QJsonObject& root, std::uint64_t& seed)
     return {};
 }
 
-Checked<void> parseBackground(const QJsonObject& root, QRgb& background)
-{
-    const QJsonValue value = root.value(QLatin1String("background"));
-    if (value.isUndefined())
-        return {};
-    const QString text = value.toString();
-    const QColor colour(text);
-    if (text.size() != 7 || !text.startsWith(QLatin1Char('#')) || !colour.isValid())
-        return brokenKey("background");
-    background = colour.rgb();
-    return {};
-}
-
 Checked<void> parseRoots(const QJsonObject& root)
 {
     const QJsonValue roots = root.value(QLatin1String("roots"));
@@ -267,25 +223,33 @@ Checked<void> parseRoots(const QJsonObject& root)
     return {};
 }
 
-QByteArray toBytes(QJsonObject root, const char* format)
+QByteArray toBytes(QJsonObject root, const char* format, int version)
 {
     root.insert(QStringLiteral("format"), QLatin1String(format));
-    root.insert(QStringLiteral("format_version"), kFormatVersion);
+    root.insert(QStringLiteral("format_version"), version);
     return QJsonDocument(root).toJson(QJsonDocument::Indented);
 }
 
 } // namespace
+
+int formatVersionOf(const Project& project)
+{
+    return needsWornArray(project.worn) ? kFormatVersion : kPlainFormatVersion;
+}
 
 Checked<QByteArray> projectToJson(const Project& project)
 {
     if (Checked<void> counts = checkGroupCounts(project.groups); !counts)
         return tl::unexpected(counts.error());
     FieldWriter fields;
-    fields.integer("next_id", std::max(project.nextId, nextIdOf(project.groups)), 1, kGreatestNextId);
+    Id nextId = std::max(project.nextId, nextIdOf(project.groups));
+    for (const Worn& one : project.worn)
+        nextId = std::max(nextId, one.id + 1);
+    fields.integer("next_id", nextId, 1, kGreatestNextId);
     fields.text("seed", QString::number(project.seed));
     fields.integer("max_hairs", project.maxHairs, 1, kMostHairs);
     fields.object("roots", [](FieldWriter& inner) { inner.integer("algorithm", sim::kRootsAlgorithm, 1, 1 << 20); });
-    fields.text("background", QColor(project.background).name(QColor::HexRgb));
+    fields.colour("background", project.background);
     fields.choice("skin", project.skin, skinChoices());
     if (project.head)
         fields.object("head", [&project](FieldWriter& inner) { writeReference(inner, *project.head); });
@@ -295,16 +259,9 @@ Checked<QByteArray> projectToJson(const Project& project)
         visitLight(inner, copy);
     });
     QJsonObject root = fields.take();
-    QJsonArray ellipsoids;
-    for (sim::Ellipsoid ellipsoid : project.ellipsoids) {
-        FieldWriter inner;
-        visitEllipsoid(inner, ellipsoid);
-        if (ellipsoids.size() < qsizetype{kMostEllipsoids})
-            ellipsoids.append(inner.take());
-    }
-    root.insert(QStringLiteral("ellipsoids"), ellipsoids);
+    wornToJson(project.worn, root);
     root.insert(QStringLiteral("groups"), groupsToJson(project.groups));
-    return toBytes(std::move(root), kProjectFormat);
+    return toBytes(std::move(root), kProjectFormat, formatVersionOf(project));
 }
 
 Checked<ProjectManifest> projectFromJson(const QByteArray& json)
@@ -321,14 +278,14 @@ Checked<ProjectManifest> projectFromJson(const QByteArray& json)
     if (!nextId)
         return tl::unexpected(nextId.error());
     project.nextId = *nextId;
-    for (const Checked<void>& part :
-         {parseSeed(*root, project.seed), parseBackground(*root, project.background), parseRoots(*root)})
+    for (const Checked<void>& part : {parseSeed(*root, project.seed), parseRoots(*root)})
         if (!part)
             return tl::unexpected(part.error());
 
     QString problem;
     FieldReader fields(*root, problem);
     fields.integer("max_hairs", project.maxHairs, 1, kMostHairs);
+    fields.colour("background", project.background);
     fields.choice("skin", project.skin, skinChoices());
     fields.object("wind", [&project](FieldReader& inner) { visitWind(inner, project.wind); });
     fields.object("light", [&project](FieldReader& inner) { visitLight(inner, project.light); });
@@ -338,14 +295,17 @@ Checked<ProjectManifest> projectFromJson(const QByteArray& json)
     if (!problem.isEmpty())
         return refuse(problem);
 
-    Checked<std::vector<sim::Ellipsoid>> ellipsoids = parseEllipsoids(root->value(QLatin1String("ellipsoids")));
-    if (!ellipsoids)
-        return tl::unexpected(ellipsoids.error());
-    project.ellipsoids = std::move(*ellipsoids);
     Checked<std::vector<HairGroup>> groups = parseGroups(*root, project.nextId);
     if (!groups)
         return tl::unexpected(groups.error());
     project.groups = std::move(*groups);
+    Checked<std::vector<Worn>> worn = wornFromJson(*root, project.groups, *nextId);
+    if (!worn)
+        return tl::unexpected(worn.error());
+    project.worn = std::move(*worn);
+    for (Worn& one : project.worn)
+        if (one.id == 0)
+            one.id = project.takeId();
     constexpr int kFirstWithDirections = 2;
     if (written->value(QLatin1String("format_version")).toInt() < kFirstWithDirections) {
         Checked<std::vector<std::optional<FormerCombing>>> combing = parseFormerCombing(*written);
@@ -372,7 +332,7 @@ Checked<QByteArray> presetToJson(const Preset& preset)
             tags.append(tag.left(kLongestName));
     root.insert(QStringLiteral("tags"), tags);
     root.insert(QStringLiteral("groups"), groupsToJson(preset.groups));
-    return toBytes(std::move(root), kPresetFormat);
+    return toBytes(std::move(root), kPresetFormat, kPlainFormatVersion);
 }
 
 Checked<PresetManifest> presetFromJson(const QByteArray& json)

@@ -35,6 +35,8 @@ struct PresetManifest
     HeadReference head;
 };
 
+/// The first one that says all of it.
+[[nodiscard]] int formatVersionOf(const Project& project);
 [[nodiscard]] Checked<QByteArray> projectToJson(const Project& project);
 [[nodiscard]] Checked<ProjectManifest> projectFromJson(const QByteArray& json);
 [[nodiscard]] Checked<QByteArray> presetToJson(const Preset& preset);

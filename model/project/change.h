@@ -30,7 +30,7 @@ struct Change
         LayerList,   ///< group, map: layers added, removed, moved, renamed, or their properties; the map's size
         GroupList,   ///< groups added, removed, renamed, reordered, shown
         Settings,    ///< group: its settings
-        Environment, ///< wind, light, background, skin, ellipsoids
+        Environment, ///< wind, light, background, skin, what is worn
         Head,
         Everything ///< another project
     };

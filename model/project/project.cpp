@@ -48,6 +48,27 @@ Layer* Project::layer(Id groupId, MapKind kind, Id layerId)
     return &owner.map(kind).layers[static_cast<std::size_t>(index)];
 }
 
+const Worn* Project::wornThing(Id id) const
+{
+    const auto found = std::ranges::find(worn, id, &Worn::id);
+    return found == worn.end() ? nullptr : &*found;
+}
+
+Worn* Project::wornThing(Id id)
+{
+    const auto found = std::ranges::find(worn, id, &Worn::id);
+    return found == worn.end() ? nullptr : &*found;
+}
+
+void Project::setShapesOfHead(std::span<const sim::Ellipsoid> shapes)
+{
+    if (std::ranges::equal(shapesOfHead(worn), shapes))
+        return;
+    std::erase_if(worn, [](const Worn& one) { return wornSpec(one.kind).ofHead; });
+    for (const sim::Ellipsoid& shape : shapes)
+        insertWorn(worn, {.id = takeId(), .kind = WornKind::Ellipsoid, .shape = shape});
+}
+
 sim::Texel emptyTexel(const MapSpec& spec)
 {
     sim::Texel empty = spec.defaultValue;

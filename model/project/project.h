@@ -4,10 +4,10 @@
 #include "model/project/change.h"
 #include "model/project/light_settings.h"
 #include "model/project/skin_tone.h"
+#include "model/project/worn.h"
 #include "sim/groom/group_settings.h"
 #include "sim/motion/wind.h"
 #include "sim/skin/distance_grid.h"
-#include "sim/skin/ellipsoid.h"
 #include "sim/skin/head_landmarks.h"
 #include "sim/skin/skin.h"
 
@@ -16,6 +16,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace hairpaint::model {
@@ -101,15 +102,13 @@ struct Head
 
 inline constexpr int kMostHairs = 4'000'000; ///< A file may ask for this many.
 
-inline constexpr std::size_t kMostEllipsoids = 32; ///< That stand for a head in collisions.
-
 struct Project
 {
     Id nextId = 1;
     std::uint64_t seed = 1;
     int maxHairs = 1'000'000; ///< Limit on candidates, 1..kMostHairs.
     std::shared_ptr<const Head> head;
-    std::vector<sim::Ellipsoid> ellipsoids;
+    std::vector<Worn> worn; ///< As insertWorn() keeps it.
     std::vector<HairGroup> groups;
     sim::Wind wind;
     LightSettings light;
@@ -120,6 +119,10 @@ struct Project
     [[nodiscard]] HairGroup* group(Id id);
     [[nodiscard]] const Layer* layer(Id groupId, MapKind kind, Id layerId) const;
     [[nodiscard]] Layer* layer(Id groupId, MapKind kind, Id layerId);
+    [[nodiscard]] const Worn* wornThing(Id id) const;
+    [[nodiscard]] Worn* wornThing(Id id);
+    /// The shapes that a head brings, in place of those that are there; nothing differs where they are the same.
+    void setShapesOfHead(std::span<const sim::Ellipsoid> shapes);
     [[nodiscard]] Id takeId() { return nextId++; }
 };
 

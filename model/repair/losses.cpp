@@ -20,7 +20,7 @@ struct SettingLoss
     const char* sentence; ///< In context "Files".
 };
 
-constexpr std::array<SettingLoss, 8> kSettingLosses = {{
+constexpr std::array<SettingLoss, 9> kSettingLosses = {{
     {"background", QT_TRANSLATE_NOOP("Files", "Its background colour is lost; the usual takes its place.")},
     {"ellipsoids", QT_TRANSLATE_NOOP("Files", "Its colliders are lost; the usual ones take their place.")},
     {"head", QT_TRANSLATE_NOOP("Files", "The name, unit and landmarks of its head are lost; they are guessed anew.")},
@@ -31,6 +31,7 @@ constexpr std::array<SettingLoss, 8> kSettingLosses = {{
                                 "elsewhere.")},
     {"skin", QT_TRANSLATE_NOOP("Files", "Its skin tone is lost; the usual takes its place.")},
     {"wind", QT_TRANSLATE_NOOP("Files", "Its wind is lost; the usual takes its place.")},
+    {"worn", QT_TRANSLATE_NOOP("Files", "What is worn in the hair is lost.")},
 }};
 
 /// As the window calls it.

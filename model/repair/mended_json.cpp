@@ -19,8 +19,32 @@ namespace hairpaint::model {
 namespace {
 
 constexpr auto kMendedFormat = "hairpaint project";
+struct RootKey
+{
+    const char* key;
+    int since = 1; ///< The format version.
+};
 /// Of project.json, in the order in which they are written; without the head, the groups and what is found anew.
-constexpr std::array kRootKeys = {"background", "ellipsoids", "light", "max_hairs", "seed", "skin", "wind"};
+constexpr std::array<RootKey, 8> kRootKeys = {
+    {{"background"}, {"ellipsoids"}, {"light"}, {"max_hairs"}, {"seed"}, {"skin"}, {"wind"}, {"worn", 3}}};
+
+/// `value`, and where it is a list of what is worn, the things in it without the ids that `keeps` refuses.
+template<typename Keeps>
+QJsonValue withIds(const QJsonValue& value, const Keeps& keeps)
+{
+    if (!value.isArray())
+        return value;
+    QJsonArray array = value.toArray();
+    for (QJsonValueRef item : array) {
+        QJsonObject object = item.toObject();
+        const QLatin1StringView id("id");
+        if (!object.contains(id) || keeps(object.value(id).toInt(0)))
+            continue;
+        object.remove(id);
+        item = object;
+    }
+    return array;
+}
 
 /// A position in the text before which all is whole, and the brackets that are open there.
 struct SafePlace
@@ -78,17 +102,21 @@ public:
     {
         QJsonObject root = m_good;
         const QString lastKey = m_json.root.isEmpty() ? QString() : m_json.root.keys().constLast();
-        for (const char* key : kRootKeys) {
-            const QJsonValue value = valueAt(m_json.root, key);
-            const bool isCutOff = !m_json.isWhole && value.isUndefined() && lastKey < QLatin1StringView(key);
+        for (const auto& [key, since] : kRootKeys) {
+            const QJsonValue value = withIds(valueAt(m_json.root, key), [](int) { return false; });
+            const bool isCutOff = !m_json.isWhole && value.isUndefined() && lastKey < QLatin1StringView(key) &&
+                                  valueAt(m_good, "format_version").toInt() >= since;
             if (!value.isUndefined() && takes(QLatin1StringView(key), value))
-                root.insert(QLatin1StringView(key), value);
+                root.insert(QLatin1StringView(key), valueAt(m_json.root, key));
             else if (isCutOff || !value.isUndefined())
                 m_losses.setting(QLatin1StringView(key));
         }
         if (const QJsonValue head = valueAt(m_json.root, "head"); takes(QStringLiteral("head"), head))
             root.insert(QStringLiteral("head"), head);
         root.insert(QStringLiteral("groups"), mendedGroups());
+        for (const auto& [key, since] : kRootKeys)
+            if (root.contains(QLatin1StringView(key)))
+                root.insert(QLatin1StringView(key), withIds(valueAt(root, key), [this](int id) { return takeId(id); }));
         const int nextId = valueAt(m_json.root, "next_id").toInt(0);
         const Id least = m_ids.empty() ? 1 : *m_ids.rbegin() + 1;
         root.insert(QStringLiteral("next_id"), std::clamp(nextId, least, kGreatestNextId));

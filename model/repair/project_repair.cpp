@@ -237,7 +237,7 @@ private:
                 [this] { return m_progress.goesOn(); }, reference.landmarks);
         if (!head) {
             m_losses.head(m_headIsNamed ? reference.name : QString());
-            manifest.project.ellipsoids = builtInEllipsoids();
+            manifest.project.setShapesOfHead(builtInEllipsoids());
             head = builtInHead();
         }
         manifest.project.head = std::move(*head);

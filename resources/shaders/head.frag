@@ -5,6 +5,10 @@ in vec3 placeWo;
 in vec3 normalWo;
 in vec4 marks; // Sky, lips, lids, blush.
 layout(location = 0) out vec4 rootColour;
+#ifdef SOLID
+uniform vec4 solidSkin[3]; // As the frame's, for a body that is worn.
+#define skin solidSkin
+#endif
 
 float unitNoise(ivec3 cell)
 {

@@ -1,7 +1,12 @@
-// The head, Hd to the screen.
-layout(location = 0) in vec3 positionHd;
-layout(location = 1) in vec3 normalHd;
+// The head, Hd to the screen; with SOLID a body that is worn, of a mesh around the unit ball.
+layout(location = 0) in vec3 meshPosition;
+layout(location = 1) in vec3 meshNormal;
 layout(location = 2) in vec4 skinMarks; // Sky, lips, lids, blush.
+#ifdef SOLID
+uniform vec4 solidCentreHd;
+uniform vec4 solidSemiAxesM;
+uniform vec4 solidRotation; // Quaternion: x, y, z, w.
+#endif
 out vec3 placeHd;
 out vec3 placeWo;
 out vec3 normalWo;
@@ -14,6 +19,12 @@ vec3 turnedBy(vec4 q, vec3 p)
 
 void main()
 {
+    vec3 positionHd = meshPosition;
+    vec3 normalHd = meshNormal;
+#ifdef SOLID
+    positionHd = solidCentreHd.xyz + turnedBy(solidRotation, meshPosition * solidSemiAxesM.xyz);
+    normalHd = turnedBy(solidRotation, normalize(meshNormal / solidSemiAxesM.xyz));
+#endif
     // The shoulders stay while the head turns: back by what has turned too much. As pushOutOfBust in
     // constraints/neck_contact_inl.h.
     float below = smoothstep(0.0, 1.0, (neckPivotHd.w - positionHd.y) * neckReach.x);

@@ -46,10 +46,10 @@ private Q_SLOTS:
         QVERIFY(project.head != old && !project.head->builtIn);
         QCOMPARE(project.head->name, QStringLiteral("ball"));
         QVERIFY(project.head->skin->atUv({0.5F, 0.5F}).has_value());
-        QVERIFY(!project.ellipsoids.empty() && project.ellipsoids != model::builtInEllipsoids());
+        QVERIFY(!project.worn.empty() && model::shapesOfHead(project.worn) != model::builtInEllipsoids());
         document.undo();
         QVERIFY(document.committed().head == old);
-        QVERIFY(document.committed().ellipsoids == model::builtInEllipsoids());
+        QVERIFY(model::shapesOfHead(document.committed().worn) == model::builtInEllipsoids());
         document.redo();
         trigger("file.head.bust-2");
         QVERIFY(document.committed().head->builtIn);
@@ -65,7 +65,7 @@ private Q_SLOTS:
         QCOMPARE(stack().count(), 1);
         const model::Project& after = document.committed();
         QCOMPARE(after.head->name, QStringLiteral("bust-1"));
-        QVERIFY(after.ellipsoids == model::builtInEllipsoids(QStringLiteral("bust-1")));
+        QVERIFY(model::shapesOfHead(after.worn) == model::builtInEllipsoids(QStringLiteral("bust-1")));
         const auto growsAt = [this, &after](sim::HeadLandmark landmark, glm::vec3 beside) {
             const sim::SurfacePoint point = after.head->skin->nearest((*after.head->landmarks)[landmark] + beside);
             const auto density = session().document().resolvedNow(after.groups.front().id, model::MapKind::Density);

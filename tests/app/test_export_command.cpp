@@ -122,7 +122,7 @@ private Q_SLOTS:
         }
         const model::Result<model::Project> project = model::loadProject(m_project);
         QCOMPARE(static_cast<std::size_t>(springBone[QLatin1String("colliders")].toArray().size()),
-                 project->ellipsoids.size());
+                 project->worn.size());
         const QJsonArray joints = json[QLatin1String("skins")][0][QLatin1String("joints")].toArray();
         QCOMPARE(joints.size(), 1 + 5 * springs.size());
     }

@@ -111,31 +111,43 @@ private Q_SLOTS:
         QCOMPARE(m_window->session().document().undoStack().count(), steps);
     }
 
-    void aColliderIsRemovedAndAdded()
+    void whatIsWornIsAddedAndRemoved_data()
     {
+        QTest::addColumn<model::WornKind>("kind");
+        for (const model::WornSpec& spec : model::wornSpecs())
+            QTest::newRow(spec.id) << spec.kind;
+    }
+
+    void whatIsWornIsAddedAndRemoved()
+    {
+        QFETCH(model::WornKind, kind);
+        const model::WornSpec& spec = model::wornSpec(kind);
         model::Document& document = m_window->session().document();
-        const std::vector<sim::Ellipsoid> before = document.project().ellipsoids;
-        const QAction* add = m_window->actions().find(QLatin1StringView("hair.addCollider"));
-        const QAction* remove = m_window->actions().find(QLatin1StringView("hair.removeCollider"));
-        QVERIFY(before.size() < model::kMostEllipsoids && add->isEnabled() && !remove->isEnabled());
-        trigger("view.colliders");
-        m_window->session().editor().options().setChosenCollider(1);
+        const std::vector<model::Worn> before = document.project().worn;
+        const auto count = [&] { return countOf(document.project().worn, kind); };
+        const std::size_t first = count();
+        const auto action = [&](const char* verb) {
+            return m_window->actions().find(QLatin1StringView(QByteArray(verb) + spec.action));
+        };
+        QAction* add = action("hair.add");
+        QAction* remove = action("hair.remove");
+        QVERIFY(first < spec.limit && add->isEnabled() && !remove->isEnabled());
+        QVERIFY(add->toolTip().contains(QString::number(spec.limit)));
+        const int steps = document.undoStack().count();
+        add->trigger();
+        QCOMPARE(count(), first + 1);
         QVERIFY(remove->isEnabled());
-        trigger("hair.removeCollider");
-        QCOMPARE(document.project().ellipsoids.size(), before.size() - 1);
+        remove->trigger();
+        QVERIFY(document.project().worn == before);
         QVERIFY(add->isEnabled() && !remove->isEnabled());
-        trigger("hair.addCollider");
-        QCOMPARE(document.project().ellipsoids.size(), before.size());
-        QVERIFY(remove->isEnabled());
-        std::vector<sim::Ellipsoid> most(model::kMostEllipsoids, before.front());
-        document.push(setEllipsoidsCommand(document, most, QStringLiteral("most")));
+        while (count() < spec.limit)
+            add->trigger();
         QVERIFY(!add->isEnabled());
-        document.undo();
-        document.undo();
-        document.undo();
-        QVERIFY(document.project().ellipsoids == before);
-        m_window->session().editor().options().setChosenCollider(std::nullopt);
-        trigger("view.colliders");
+        while (document.undoStack().count() > steps && document.undoStack().canUndo())
+            document.undo();
+        QVERIFY(document.project().worn == before);
+        m_window->session().editor().options().setChosenWorn(0);
+        m_window->session().editor().options().setCollidersShown(false);
     }
 
     void aNameWithAnAmpersandIsReadWhole()

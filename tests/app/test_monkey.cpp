@@ -1,5 +1,6 @@
 // Somebody who knows nothing clicks, drags and types at random: nothing may break, and undo leads all the way back.
 #include "app/session/large_memory.h"
+#include "model/document/edit_command.h"
 #include "model/files/preset_file.h"
 #include "model/styles/preset.h"
 #include "tests/app/program.h"
@@ -218,7 +219,9 @@ private:
     {
         model::Document& document = session().document();
         document.push(model::setWindCommand(document, {.enabled = false}));
-        document.push(model::setEllipsoidsCommand(document, m_project.ellipsoids, QString()));
+        const auto wearAsFirst = [this](model::Project& project) { project.worn = m_project.worn; };
+        document.push(
+            shownEditCommand(document, {{{.aspect = model::Change::Aspect::Environment}, wearAsFirst}}, {}, QString()));
         editor().target().setMap(model::MapKind::Density);
         // A copy of all replaces whatever was copied.
         for (const char* id : {"view.both", "view.home", "view.fit", "look.front", "edit.none", "edit.copy"})

@@ -75,7 +75,7 @@ inline bool sameProjects(const model::Project& a, const model::Project& b)
                std::ranges::equal(x.maps, y.maps, sameMaps);
     };
     return a.nextId == b.nextId && a.seed == b.seed && a.maxHairs == b.maxHairs && a.head == b.head &&
-           a.ellipsoids == b.ellipsoids && a.wind == b.wind && a.light == b.light && a.background == b.background &&
+           a.worn == b.worn && a.wind == b.wind && a.light == b.light && a.background == b.background &&
            std::ranges::equal(a.groups, b.groups, sameGroups);
 }
 

@@ -48,10 +48,6 @@ inline model::Project makeSampleProject(int mapSize = 256, const std::vector<mod
     const Result<std::shared_ptr<const Head>> head =
         makeHead(QStringLiteral("Kugel ä"), glbFromMesh(makeBallHead(12, headCm)), 0.01F, UpAxis::Z);
     project.head = *head;
-    project.ellipsoids = {{.centreHd = {0.01F, -0.02F, 0.3F}, .semiAxesM = {0.07F, 0.08F, 0.09F}},
-                          {.centreHd = {0.1F, 0.0F, 0.0F},
-                           .semiAxesM = {0.011F, 0.022F, 0.033F},
-                           .rotation = glm::quat(0.5F, 0.5F, -0.5F, 0.5F)}};
     project.wind = {.enabled = false, .velocity = {1.1F, -2.2F, 3.3F}, .gustiness = 0.7F, .turbulence = 0.1F};
     project.light = {.azimuthRad = -1.5F,
                      .elevationRad = 0.25F,
@@ -117,6 +113,11 @@ inline model::Project makeSampleProject(int mapSize = 256, const std::vector<mod
     for (HairGroup& group : project.groups)
         for (const MapKind kind : lacking)
             group.map(kind).layers.front().id = project.takeId();
+    project.setShapesOfHead(
+        std::vector<sim::Ellipsoid>{{.centreHd = {0.01F, -0.02F, 0.3F}, .semiAxesM = {0.07F, 0.08F, 0.09F}},
+                                    {.centreHd = {0.1F, 0.0F, 0.0F},
+                                     .semiAxesM = {0.011F, 0.022F, 0.033F},
+                                     .rotation = glm::quat(0.5F, 0.5F, -0.5F, 0.5F)}});
     return project;
 }
 
@@ -127,8 +128,8 @@ inline QString difference(const model::Project& a, const model::Project& b)
     if (a.nextId != b.nextId || a.seed != b.seed || a.maxHairs != b.maxHairs || a.background != b.background ||
         a.skin != b.skin)
         return QStringLiteral("numbers");
-    if (a.ellipsoids != b.ellipsoids)
-        return QStringLiteral("ellipsoids");
+    if (a.worn != b.worn)
+        return QStringLiteral("what is worn");
     if (a.wind != b.wind || a.light != b.light)
         return QStringLiteral("wind or light");
     // Built-in heads are shared, and large.

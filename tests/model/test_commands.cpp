@@ -256,7 +256,8 @@ void TestCommands::nothingToDoGivesNoCommand()
     QCOMPARE(setBackgroundCommand(document, project.background), nullptr);
     QCOMPARE(setSkinCommand(document, project.skin), nullptr);
     QCOMPARE(moveGroupCommand(document, length.group, 3), nullptr);
-    QCOMPARE(setHeadCommand(document, project.head, project.ellipsoids), nullptr);
+    QCOMPARE(setHeadCommand(document, project.head, shapesOfHead(project.worn)), nullptr);
+    QCOMPARE(removeWornCommand(document, project.nextId), nullptr);
     QCOMPARE(paintCommand(document, length, {{0, layer.raster.tile(0)}}, QString()), nullptr);
     document.push(nullptr);
     QCOMPARE(document.undoStack().count(), 0);

@@ -47,7 +47,7 @@ private Q_SLOTS:
         QCOMPARE(project.head->name, QStringLiteral("bust-2"));
         QCOMPARE(project.groups.size(), std::size_t{1});
         QCOMPARE(project.groups.front().maps.size(), std::size_t{kMapKindCount});
-        QVERIFY(!project.ellipsoids.empty());
+        QVERIFY(!project.worn.empty() && shapesOfHead(project.worn) == builtInEllipsoids());
         QCOMPARE(project.seed, std::uint64_t{1});
     }
 

@@ -70,7 +70,7 @@ private Q_SLOTS:
         row("a preset's format", "format", QStringLiteral("hairpaint preset"));
         row("no version", "format_version", absent);
         row("version 0", "format_version", 0);
-        row("a version to come", "format_version", 3);
+        row("a version to come", "format_version", 4);
         row("no next id", "next_id", absent);
         row("a next id of 0", "next_id", 0);
         row("a next id above the limit", "next_id", 2'100'000'000);
@@ -95,6 +95,14 @@ private Q_SLOTS:
         row("an ellipsoid with a text", "ellipsoids/0/centre_m", QJsonArray{1, 2, QStringLiteral("3")});
         row("an ellipsoid turned by nothing", "ellipsoids/0/rotation", QJsonArray{0, 0, 0, 0});
         row("an ellipsoid that is none", "ellipsoids/0", 1);
+        row("an ellipsoid with the id of a group", "ellipsoids/0/id", 20);
+        row("an ellipsoid with id 0", "ellipsoids/0/id", 0);
+        row("an ellipsoid with the next id", "ellipsoids/0/id", goodRoot().value(QLatin1String("next_id")));
+        row("33 ellipsoids", "ellipsoids", QJsonArray::fromVariantList(QVariantList(33, QVariantMap())));
+        row("worn things of another type", "worn", 1);
+        row("a worn thing without a kind", "worn", QJsonArray{QJsonObject()});
+        row("a worn thing of a kind to come", "worn",
+            QJsonArray{QJsonObject{{QStringLiteral("kind"), QStringLiteral("tiara")}}});
         row("wind of another type", "wind", 1);
         row("wind in two dimensions", "wind/velocity_m_per_s", QJsonArray{1, 2});
         row("light that is a text", "light/intensity", QStringLiteral("bright"));
@@ -105,7 +113,7 @@ private Q_SLOTS:
         row("a group with id 0", "groups/0/id", 0);
         row("a negative id", "groups/0/id", -3);
         row("an id with a fraction", "groups/0/id", 1.5);
-        row("an id that a layer has", "groups/0/id", 13);
+        row("an id that a layer has", "groups/0/id", 21);
         row("an id that is a text", "groups/0/id", QStringLiteral("1"));
         row("a name that is a number", "groups/0/name", 1);
         row("a name too long", "groups/0/name", longText);

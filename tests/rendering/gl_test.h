@@ -69,7 +69,7 @@ private:
     unsigned m_texture = 0;
 };
 
-[[nodiscard]] Picture drawn(rendering::GlRenderer& renderer, const rendering::Scene& scene,
+[[nodiscard]] Picture drawn(rendering::Backend& renderer, const rendering::Scene& scene,
                             const rendering::Quality& quality = {}, int width = 200, int height = 150);
 
 } // namespace hairpaint::testing

@@ -153,12 +153,12 @@ private Q_SLOTS:
         const sim::Ellipsoid ellipsoid{.centreHd = {0.02F, 0.01F, 0.0F}, .semiAxesM = {0.05F, 0.08F, 0.06F}};
         auto head = std::make_shared<model::Head>(*f.editor.document.project().head);
         f.editor.document.push(model::setHeadCommand(f.editor.document, std::move(head), {ellipsoid}));
-        QVERIFY(overlay->colliders().empty());
+        QVERIFY(overlay->wornOutlines().empty());
         QVERIFY(f.editor.state.options().setCollidersShown(true));
-        QCOMPARE(overlay->colliders().size(), std::size_t{3});
+        QCOMPARE(overlay->wornOutlines().size(), std::size_t{3});
         const auto touches = [&](glm::vec3 positionHd) {
             const QPointF at = f.area.positionOf(positionHd).value_or(QPointF());
-            return std::ranges::count_if(overlay->colliders(), [at](const QPolygonF& ellipse) {
+            return std::ranges::count_if(overlay->wornOutlines(), [at](const QPolygonF& ellipse) {
                 return std::ranges::any_of(ellipse, [at](QPointF p) { return QLineF(p, at).length() < 1e-2; });
             });
         };
@@ -173,16 +173,16 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(endsAreTouched(), kPatienceMs);
         const auto frame = std::make_shared<sim::StrandFrame>(*f.frame());
         frame->pose.rotation = glm::angleAxis(0.7F, glm::vec3(0.0F, 1.0F, 0.0F));
-        const std::vector<QPolygonF> before = overlay->colliders();
+        const std::vector<QPolygonF> before = overlay->wornOutlines();
         f.area.setFrame(frame);
         // They lie over a picture in which the head has not turned yet.
-        QVERIFY(overlay->colliders() == before);
+        QVERIFY(overlay->wornOutlines() == before);
         QTRY_VERIFY_WITH_TIMEOUT(endsAreTouched(), kPatienceMs);
         f.editor.document.undo();
-        QVERIFY(overlay->colliders().empty());
+        QVERIFY(overlay->wornOutlines().empty());
         f.editor.document.redo();
         QVERIFY(f.editor.state.options().setCollidersShown(false));
-        QVERIFY(overlay->colliders().empty() && overlay->isHidden());
+        QVERIFY(overlay->wornOutlines().empty() && overlay->isHidden());
     }
 
     void aFastPointerBlowsAPuffAndASlowOneDoesNot()

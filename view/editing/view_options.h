@@ -5,9 +5,6 @@
 
 #include <QObject>
 
-#include <cstddef>
-#include <optional>
-
 namespace hairpaint::view {
 
 /// Outside undo. Each setter returns false and tells nothing where nothing differs. GUI thread.
@@ -26,16 +23,16 @@ public:
     bool setNightPaper(bool night) { return set(m_nightPaper, night); }
     [[nodiscard]] bool wireframe() const { return m_wireframe; }
     bool setWireframe(bool shown) { return set(m_wireframe, shown); }
-    /// The project's ellipsoids over the head.
+    /// The outlines of all that is worn, also of what is never drawn.
     [[nodiscard]] bool collidersShown() const { return m_collidersShown; }
     bool setCollidersShown(bool shown) { return set(m_collidersShown, shown); }
-    /// The one of them that is edited; none while they are not shown.
-    [[nodiscard]] std::optional<std::size_t> chosenCollider() const
+    /// The worn thing that is edited; 0: none, as while it is not seen.
+    [[nodiscard]] model::Id chosenWorn() const
     {
-        const bool there = m_chosenCollider && *m_chosenCollider < m_document.project().ellipsoids.size();
-        return there && m_collidersShown ? m_chosenCollider : std::nullopt;
+        const model::Worn* worn = m_document.project().wornThing(m_chosenWorn);
+        return worn != nullptr && (m_collidersShown || wornSpec(worn->kind).drawn()) ? m_chosenWorn : 0;
     }
-    bool setChosenCollider(std::optional<std::size_t> index) { return set(m_chosenCollider, index); }
+    bool setChosenWorn(model::Id id) { return set(m_chosenWorn, id); }
     /// Short hairs on the head that tell the active direction map, while it is the active one.
     [[nodiscard]] bool directionsShown() const { return m_directionsShown; }
     bool setDirectionsShown(bool shown) { return set(m_directionsShown, shown); }
@@ -59,7 +56,7 @@ private:
     bool m_nightPaper = true;
     bool m_wireframe = true;
     bool m_collidersShown = false;
-    std::optional<std::size_t> m_chosenCollider;
+    model::Id m_chosenWorn = 0;
     bool m_directionsShown = true;
 };
 

@@ -3,6 +3,7 @@
 
 #include "view/editing/painted_area.h"
 #include "view/head_area/head_camera.h"
+#include "view/head_area/worn_outline.h"
 
 #include <QPainter>
 
@@ -85,24 +86,25 @@ void HeadOverlay::setShapes(const std::vector<model::OverlayShape>& shapes, cons
     showIfNeeded();
 }
 
-void HeadOverlay::setColliders(const std::vector<sim::Ellipsoid>& colliders, std::optional<std::size_t> chosen,
-                               const rendering::Camera& camera, const sim::HeadPose& pose)
+void HeadOverlay::setWorn(const std::vector<model::Worn>& worn, model::Id chosen, const rendering::Camera& camera,
+                          const sim::HeadPose& pose)
 {
-    if (colliders.empty() && m_colliders.empty())
+    if (worn.empty() && m_wornOutlines.empty())
         return;
     const HeadSight sight{.camera = camera, .pose = pose, .size = QSizeF(size())};
-    m_colliders.clear();
+    m_wornOutlines.clear();
     m_chosen.clear();
     m_chosenEnds.clear();
-    for (std::size_t i = 0; i < colliders.size(); ++i) {
-        std::vector<QPolygonF> outlines = colliderOutlines(colliders[i], sight);
-        if (chosen == i)
+    for (const model::Worn& one : worn) {
+        std::vector<QPolygonF> outlines = outlinesOf(one.shape, sight);
+        if (one.id == chosen) {
             m_chosen = outlines;
-        std::ranges::move(outlines, std::back_inserter(m_colliders));
+            for (int end = 0; end < kAxisEnds; ++end)
+                if (const auto at = project(camera, inWorld(axisEnd(one.shape, end), pose), QSizeF(size())))
+                    m_chosenEnds.push_back(*at);
+        }
+        std::ranges::move(outlines, std::back_inserter(m_wornOutlines));
     }
-    for (int end = 0; chosen && *chosen < colliders.size() && end < kColliderEnds; ++end)
-        if (const auto at = project(camera, inWorld(colliderEnd(colliders[*chosen], end), pose), QSizeF(size())))
-            m_chosenEnds.push_back(*at);
     showIfNeeded();
 }
 
@@ -145,7 +147,7 @@ void HeadOverlay::setDirectionsFaded(bool faded)
 void HeadOverlay::showIfNeeded()
 {
     setVisible(!m_directions.empty() || !m_lines.empty() || !m_handles.isEmpty() || !m_ghost.isEmpty() ||
-               !m_colliders.empty());
+               !m_wornOutlines.empty());
     update();
 }
 
@@ -160,7 +162,7 @@ void HeadOverlay::paintEvent(QPaintEvent*)
     }
     for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 110), 2.5), std::pair(m_theme.accent, 1.0)}) {
         painter.setPen(QPen(colour, width));
-        for (const QPolygonF& ellipse : m_colliders)
+        for (const QPolygonF& ellipse : m_wornOutlines)
             painter.drawPolyline(ellipse);
     }
     painter.setPen(QPen(m_theme.accent, 2.5));

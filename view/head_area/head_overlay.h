@@ -1,8 +1,9 @@
-// What lies over the drawn head: hairs that show directions, the active tool's outlines and the colliders.
+// What lies over the drawn head: hairs that show directions, the active tool's outlines and those of
+// what is worn.
 #pragma once
 
+#include "model/project/worn.h"
 #include "model/tools/tool.h"
-#include "view/head_area/collider_shape.h"
 #include "view/look/tapered_hair.h"
 #include "view/look/theme.h"
 #include "view/rendering/scene.h"
@@ -29,10 +30,10 @@ public:
 
     /// Three ellipses for each, as wire: the far half is seen, too; the chosen one stands out, with its axes' ends.
     /// None: nothing is shown.
-    void setColliders(const std::vector<sim::Ellipsoid>& colliders, std::optional<std::size_t> chosen,
-                      const rendering::Camera& camera, const sim::HeadPose& pose);
+    void setWorn(const std::vector<model::Worn>& worn, model::Id chosen, const rendering::Camera& camera,
+                 const sim::HeadPose& pose);
     /// In this widget's coordinates.
-    [[nodiscard]] const std::vector<QPolygonF>& colliders() const { return m_colliders; }
+    [[nodiscard]] const std::vector<QPolygonF>& wornOutlines() const { return m_wornOutlines; }
 
     /// Hairs that show a direction map, in this widget's coordinates: faint, under everything else.
     void setDirections(std::vector<HairSpine> hairs);
@@ -54,7 +55,7 @@ private:
     Theme m_theme;
     std::vector<QPolygonF> m_lines; ///< In this widget's coordinates, as the next two.
     QPolygonF m_handles;
-    std::vector<QPolygonF> m_colliders;
+    std::vector<QPolygonF> m_wornOutlines;
     std::vector<QPolygonF> m_chosen; ///< The chosen one's ellipses among them,
     QPolygonF m_chosenEnds;          ///< and the ends of its axes.
     QPolygonF m_ghost;

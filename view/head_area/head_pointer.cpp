@@ -17,7 +17,7 @@ namespace hairpaint::view {
 
 HeadPointer::HeadPointer(EditorState& editor, const HeadScene& scene, HeadTurn& turn, QWidget& area)
     : m_editor(editor), m_scene(scene), m_turn(turn), m_area(area), m_keys({Qt::Key_Space, Qt::Key_H, Qt::Key_O}),
-      m_stroke(editor, scene), m_brushDrag(editor), m_colliders(editor, scene, area)
+      m_stroke(editor, scene), m_brushDrag(editor), m_wornDrag(editor, scene, area)
 {
     connect(&m_keys, &HeldKeys::changed, this, &HeadPointer::updateCursor);
 }
@@ -40,9 +40,9 @@ HeadPointer::Drag HeadPointer::dragOf(const PointerSample& pressed)
     if (m_keys.holds(Qt::Key_H))
         return Drag::Turn;
     const bool alt = pressed.modifiers.testFlag(Qt::AltModifier);
-    if (!alt && m_colliders.press(pressed))
-        return Drag::Collider;
-    if (!alt && grabs()) {
+    if (!alt && m_wornDrag.press(pressed))
+        return Drag::Worn;
+    if (!alt && m_editor.tools().active().traits().grabs) {
         m_grabbed = m_scene.hairAt(pressed.position);
         return m_grabbed ? Drag::Stroke : Drag::Orbit;
     }
@@ -98,8 +98,8 @@ void HeadPointer::move(const PointerSample& sample)
         m_brushDrag.move(sample);
         Q_EMIT statusText(brushText(m_editor.tools().settings()));
         break;
-    case Drag::Collider:
-        m_colliders.move(sample);
+    case Drag::Worn:
+        m_wornDrag.move(sample);
         break;
     }
 }
@@ -113,8 +113,8 @@ void HeadPointer::release(const PointerSample& sample)
     const QPointF moved = sample.position - m_pressed.position;
     if (drag == Drag::Stroke) {
         m_stroke.release(sample);
-    } else if (drag == Drag::Collider) {
-        m_colliders.release();
+    } else if (drag == Drag::Worn) {
+        m_wornDrag.release();
     } else if (drag == Drag::Turn) {
         m_turn.release();
     } else if (drag == Drag::Light && m_light != m_lightBefore) {
@@ -139,9 +139,9 @@ void HeadPointer::leave()
 
 bool HeadPointer::handleKey(Qt::Key key, Qt::KeyboardModifiers modifiers)
 {
-    if (key == Qt::Key_Escape && m_drag == Drag::Collider) {
+    if (key == Qt::Key_Escape && m_drag == Drag::Worn) {
         m_drag = Drag::None;
-        m_colliders.cancel();
+        m_wornDrag.cancel();
         return true;
     }
     if (m_editor.tools().key(key, modifiers)) {
@@ -181,7 +181,7 @@ bool HeadPointer::grabs() const
 
 void HeadPointer::hoverAt(const PointerSample& sample)
 {
-    m_overCollider = m_colliders.reaches(sample.position);
+    m_overWorn = m_wornDrag.reaches(sample.position);
     updateCursor();
     // Where hair is grabbed, or can be, the ring says which roots go along.
     std::optional<sim::SurfacePoint> point;
@@ -217,10 +217,10 @@ void HeadPointer::updateCursor()
     Qt::CursorShape shape = Qt::ArrowCursor;
     const std::optional<HoverPoint>& hover = m_editor.hover().at();
     const bool isKeyHeld = m_keys.holds(Qt::Key_Space) || m_keys.holds(Qt::Key_H);
-    const bool isOnCollider = m_overCollider || m_drag == Drag::Collider;
+    const bool isOnWorn = m_overWorn || m_drag == Drag::Worn;
     if (m_drag == Drag::Pan || m_drag == Drag::Orbit || m_drag == Drag::Turn)
         shape = Qt::ClosedHandCursor;
-    else if (m_drag == Drag::Light || (isOnCollider && !isKeyHeld))
+    else if (m_drag == Drag::Light || (isOnWorn && !isKeyHeld))
         shape = Qt::SizeAllCursor;
     else if (isKeyHeld)
         shape = Qt::OpenHandCursor;

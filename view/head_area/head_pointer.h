@@ -1,14 +1,14 @@
-// What the pointer does over the 3D area: strokes, orbits, pans, turns the head or the light, changes the brush or a
-// collider, blows.
+// What the pointer does over the 3D area: strokes, orbits, pans, turns the head or the light, changes the brush or what
+// is worn, blows.
 #pragma once
 
 #include "model/project/project.h"
 #include "view/editing/brush_drag.h"
 #include "view/editing/held_keys.h"
 #include "view/editing/pointer.h"
-#include "view/head_area/collider_drag.h"
 #include "view/head_area/head_stroke.h"
 #include "view/head_area/puff_gesture.h"
+#include "view/head_area/worn_drag.h"
 #include "view/rendering/scene.h"
 
 #include <QObject>
@@ -64,7 +64,7 @@ private:
         Light,
         Turn,
         Brush,
-        Collider
+        Worn
     };
 
     [[nodiscard]] Drag dragOf(const PointerSample& pressed);
@@ -80,8 +80,8 @@ private:
     HeldKeys m_keys;
     HeadStroke m_stroke;
     BrushDrag m_brushDrag;
-    ColliderDrag m_colliders;
-    bool m_overCollider = false;
+    WornDrag m_wornDrag;
+    bool m_overWorn = false;
     PuffGesture m_puffs;
 
     Drag m_drag = Drag::None;

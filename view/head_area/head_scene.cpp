@@ -97,6 +97,7 @@ void HeadScene::setEnvironment(const model::Project& project, const model::Light
 {
     m_scene.light = sceneLight(light);
     m_scene.skin = sceneSkin(project.skin);
+    m_scene.solids = sceneSolids(project.worn);
     m_scene.background = linearColour(project.background);
 }
 
@@ -133,7 +134,7 @@ std::optional<sim::SurfacePoint> HeadScene::skinAt(QPointF position) const
     return skin()->pick(inHead(rayThrough(m_scene.camera, position, QSizeF(m_area.size())), shownPose()));
 }
 
-std::optional<sim::SurfacePoint> HeadScene::placeForCollider() const
+std::optional<sim::SurfacePoint> HeadScene::pointForWorn() const
 {
     return m_brush ? m_brush : skinAt(QRectF(m_area.rect()).center());
 }

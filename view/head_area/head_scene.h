@@ -42,7 +42,7 @@ public:
     [[nodiscard]] std::optional<rendering::Camera> cameraAtBrush() const;
 
     /// Where the brush was last, or what the middle of the area shows; none off the head.
-    [[nodiscard]] std::optional<sim::SurfacePoint> placeForCollider() const;
+    [[nodiscard]] std::optional<sim::SurfacePoint> pointForWorn() const;
 
     /// The document's head; null without one.
     [[nodiscard]] const sim::Skin* skin() const;
@@ -57,7 +57,7 @@ public:
     /// Where the head stands in the frame that is shown.
     [[nodiscard]] sim::HeadPose shownPose() const;
 
-    /// Skin and background of the project, under a light that may be changing to another.
+    /// Skin, worn things and background of the project, under a light that may be on its way to another.
     void setEnvironment(const model::Project& project, const model::LightSettings& light);
 
     bool refreshRings(); ///< Whether a ring was shown or is now.

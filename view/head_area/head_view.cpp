@@ -2,7 +2,6 @@
 #include "view/head_area/head_view.h"
 
 #include "view/editing/editor_state.h"
-#include "view/head_area/collider_edit.h"
 #include "view/head_area/frame_pacer.h"
 #include "view/head_area/frame_presenter.h"
 #include "view/head_area/gl_presenter.h"
@@ -14,6 +13,8 @@
 #include "view/head_area/shown_directions.h"
 #include "view/head_area/view_signs.h"
 #include "view/head_area/weather_overlay.h"
+#include "view/head_area/worn_drag.h"
+#include "view/head_area/worn_edit.h"
 #include "view/rendering/card_set.h"
 
 #include <QContextMenuEvent>
@@ -199,15 +200,15 @@ void HeadView::turnToBrush()
     animateTo(m_scene->cameraAtBrush());
 }
 
-void HeadView::addCollider()
+void HeadView::addWorn(model::WornKind kind)
 {
-    if (const std::optional<sim::SurfacePoint> place = m_scene->placeForCollider())
-        addColliderAt(m_state, *place);
+    if (const std::optional<sim::SurfacePoint> point = m_scene->pointForWorn())
+        addWornAt(m_state, kind, *point);
 }
 
-void HeadView::removeCollider()
+void HeadView::removeWorn()
 {
-    removeChosenCollider(m_state);
+    removeChosenWorn(m_state);
 }
 
 void HeadView::animateTo(const std::optional<rendering::Camera>& camera)
@@ -295,7 +296,8 @@ void HeadView::onDocumentChanged(const model::Change& change)
     }
     if (change.aspect == Aspect::Environment || change.aspect == Aspect::Everything) {
         refreshEnvironment();
-        if (m_state.options().collidersShown())
+        if (m_state.options().collidersShown() || m_state.options().chosenWorn() != 0 ||
+            !m_overlay->wornOutlines().empty())
             refreshOverlay();
     }
 }
@@ -351,9 +353,7 @@ void HeadView::refreshOverlay()
 {
     const Sight sight = shown();
     m_overlay->setShapes(m_state.tools().overlay(), m_scene->skin(), sight.camera, sight.pose);
-    m_overlay->setColliders(m_state.options().collidersShown() ? m_state.document().project().ellipsoids
-                                                               : std::vector<sim::Ellipsoid>(),
-                            m_state.options().chosenCollider(), sight.camera, sight.pose);
+    m_overlay->setWorn(outlinedWorn(m_state), m_state.options().chosenWorn(), sight.camera, sight.pose);
     m_overlay->setGhost(m_scene->hiddenRing());
     m_directions->refreshSoon();
 }

@@ -84,11 +84,11 @@ public Q_SLOTS:
     void fit();         ///< The head with all of its hair, from where the camera looks now.
     /// The head goes through it once, so that the hair swings; not while it is dragged. Outside undo.
     void moveHead(hairpaint::sim::NeckMotion motion);
-    void turnToBrush();    ///< So that the point where the brush was last is seen, in whichever area.
-    void addCollider();    ///< Where the brush was last, half in the head; it is chosen, and all of them are shown.
-    void removeCollider(); ///< The chosen one.
-    void setHairPaused(bool paused);  ///< Says so over the picture.
-    void setWeatherShown(bool shown); ///< F7: the paper's keys for wind and light.
+    void turnToBrush(); ///< So that the place shows where the brush was last, in whichever area.
+    void addWorn(hairpaint::model::WornKind kind); ///< Where the brush was last; it is chosen.
+    void removeWorn();                             ///< The chosen one.
+    void setHairPaused(bool paused);               ///< Says so over the picture.
+    void setWeatherShown(bool shown);              ///< F7: the paper's keys for wind and light.
 
 Q_SIGNALS:
     void puffWanted(glm::vec3 centreWo, glm::vec3 velocity, float radiusM);

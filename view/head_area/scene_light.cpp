@@ -1,4 +1,4 @@
-// Light, skin and colours for the renderer: see the header.
+// Light, skin, worn things and colours for the renderer: see the header.
 #include "view/head_area/scene_light.h"
 
 #include <cmath>
@@ -35,6 +35,23 @@ rendering::SkinShading sceneSkin(model::SkinTone tone)
             .scatter = look.scatter,
             .grain = look.grain,
             .sheen = look.sheen};
+}
+
+std::vector<rendering::Solid> sceneSolids(const std::vector<model::Worn>& worn)
+{
+    std::vector<rendering::Solid> solids;
+    for (const model::Worn& one : worn) {
+        const model::WornSpec& spec = wornSpec(one.kind);
+        if (!spec.drawn())
+            continue;
+        rendering::Solid& solid = solids.emplace_back();
+        solid.mesh = spec.mesh();
+        solid.shape = one.shape;
+        solid.shape.rotation = glm::normalize(one.shape.rotation); // A file may hold one of another length.
+        solid.colour = linearColour(one.colour);
+        solid.sheen = spec.sheen;
+    }
+    return solids;
 }
 
 glm::vec3 linearColour(QRgb encoded)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/motion/strand_frame.h"
+#include "sim/skin/ellipsoid.h"
 #include "sim/skin/head_mesh.h"
 #include "view/rendering/light/environment.h"
 #include "view/rendering/light/far_light.h"
@@ -10,6 +11,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace hairpaint::rendering {
 
@@ -54,6 +56,26 @@ struct SkinShading
     friend bool operator==(const SkinShading&, const SkinShading&) = default;
 };
 
+/// A lit body that goes with the head; hair lies before and behind it.
+struct Solid
+{
+    std::shared_ptr<const sim::HeadMesh> mesh; ///< Closed, in a space of its own in which it fits the unit ball,
+    sim::Ellipsoid shape;                      ///< which is scaled, turned (unit) and moved to this.
+    glm::vec3 colour{0.5F};                    ///< Linear.
+    float sheen = 0.6F;                        ///< As in SkinShading.
+    friend bool operator==(const Solid&, const Solid&) = default;
+};
+/// What a solid is shaded as.
+[[nodiscard]] inline SkinShading skinOf(const Solid& solid)
+{
+    return {.colour = solid.colour,
+            .lips = solid.colour,
+            .lids = solid.colour,
+            .scatter = 0.0F,
+            .grain = 0.0F,
+            .sheen = solid.sheen};
+}
+
 /// The brush ring on the skin: drawn as a line around `radiusM`, and hair inside fades.
 struct Ring
 {
@@ -69,6 +91,7 @@ struct Scene
     std::shared_ptr<const sim::HeadMesh> headInMotion; ///< Coarser, for frames whose view changes; null: as `head`.
     std::shared_ptr<const sim::StrandFrame> hair;
     std::shared_ptr<const CardSet> cards; ///< Instead of the hair, which still tells how the head is held; null: none.
+    std::vector<Solid> solids = {};
     Camera camera;
     Light light;
     SkinShading skin;

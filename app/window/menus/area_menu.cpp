@@ -1,23 +1,28 @@
 // The areas' context menu: see the header.
 #include "app/window/menus/area_menu.h"
 
+#include "model/project/worn.h"
+
 namespace hairpaint::app {
 
 AreaMenu::AreaMenu(const ActionSet& actions, QWidget* parent) : QMenu(parent)
 {
-    for (const char* id : std::initializer_list<const char*>{"edit.undo", "edit.redo",        nullptr,
-                                                             "edit.cut",  "edit.copy",        "edit.paste",
-                                                             "edit.fill", "edit.clear",       nullptr,
-                                                             "edit.all",  "edit.none",        "edit.invert",
-                                                             nullptr,     "file.loadImage",   "file.saveImage",
-                                                             nullptr,     "view.wireframe",   "view.night",
-                                                             "view.fit",  "view.home",        "view.turnToBrush",
-                                                             nullptr,     "hair.addCollider", "hair.removeCollider"}) {
+    for (const char* id : std::initializer_list<const char*>{"edit.undo", "edit.redo",      nullptr,
+                                                             "edit.cut",  "edit.copy",      "edit.paste",
+                                                             "edit.fill", "edit.clear",     nullptr,
+                                                             "edit.all",  "edit.none",      "edit.invert",
+                                                             nullptr,     "file.loadImage", "file.saveImage",
+                                                             nullptr,     "view.wireframe", "view.night",
+                                                             "view.fit",  "view.home",      "view.turnToBrush",
+                                                             nullptr}) {
         if (id == nullptr)
             addSeparator();
         else
             addAction(actions.find(QLatin1StringView(id)));
     }
+    for (const model::WornSpec& spec : model::wornSpecs())
+        for (const char* verb : {"hair.add", "hair.remove"})
+            addAction(actions.find(QLatin1StringView(QByteArray(verb) + spec.action)));
 }
 
 } // namespace hairpaint::app

@@ -17,7 +17,7 @@ HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, v
     addSeparator();
     addSimulation(actions, session);
     addMotions(actions, session, head);
-    addColliders(actions, session, head);
+    addWorn(actions, session, head);
     actions.add(*this, {{.id = "hair.hold",
                          .text = tr("Hol&d as it lies now"),
                          .keys = {Qt::SHIFT | Qt::Key_H},
@@ -94,23 +94,29 @@ void HairMenu::addSimulation(ActionSet& actions, Session& session)
                          "reset"}});
 }
 
-void HairMenu::addColliders(ActionSet& actions, Session& session, view::HeadView& head)
+void HairMenu::addWorn(ActionSet& actions, Session& session, view::HeadView& head)
 {
-    actions.add(*this, {{.id = "hair.addCollider",
-                         .text = tr("Add &collider here"),
-                         .run = [&head] { head.addCollider(); },
-                         .enabled =
-                             [&session] {
-                                 const model::Project& project = session.document().project();
-                                 return project.head && project.ellipsoids.size() < model::kMostEllipsoids;
-                             }},
-                        {.id = "hair.removeCollider",
-                         .text = tr("Remove c&ollider"),
-                         .run = [&head] { head.removeCollider(); },
-                         .enabled = [&session] { return session.editor().options().chosenCollider().has_value(); }}});
-    actions.find(QLatin1StringView("hair.addCollider"))
-        ->setToolTip(tr("An ellipsoid where the pointer was last on the head, which hair does not enter; %1 at most")
-                         .arg(model::kMostEllipsoids));
+    for (const model::WornSpec& spec : model::wornSpecs()) {
+        const QByteArray addId = QByteArray("hair.add") + spec.action;
+        actions.add(*this, {{.id = addId,
+                             .text = model::wornText(spec.addTitle),
+                             .run = [&head, kind = spec.kind] { head.addWorn(kind); },
+                             .enabled =
+                                 [&session, &spec] {
+                                     const model::Project& project = session.document().project();
+                                     return project.head && countOf(project.worn, spec.kind) < spec.limit;
+                                 }},
+                            {.id = QByteArray("hair.remove") + spec.action,
+                             .text = model::wornText(spec.removeTitle),
+                             .run = [&head] { head.removeWorn(); },
+                             .enabled =
+                                 [&session, kind = spec.kind] {
+                                     const model::Worn* chosen = session.document().project().wornThing(
+                                         session.editor().options().chosenWorn());
+                                     return chosen != nullptr && chosen->kind == kind;
+                                 }}});
+        actions.find(QLatin1StringView(addId))->setToolTip(model::wornText(spec.addHint).arg(spec.limit));
+    }
 }
 
 void HairMenu::addMotions(ActionSet& actions, Session& session, view::HeadView& head)

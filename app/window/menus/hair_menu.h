@@ -25,7 +25,7 @@ private:
     void addWeather(ActionSet& actions, Session& session, view::HeadView& head, WindowDialogs& dialogs);
     void addSkin(ActionSet& actions, Session& session);
     void addSimulation(ActionSet& actions, Session& session);
-    void addColliders(ActionSet& actions, Session& session, view::HeadView& head);
+    void addWorn(ActionSet& actions, Session& session, view::HeadView& head);
     void addMotions(ActionSet& actions, Session& session, view::HeadView& head);
 
     FaceHairSwitch m_faceHair;

@@ -249,7 +249,7 @@ GlRenderer::Picture GlRenderer::prepare(const Scene& scene, const Quality& quali
 
     picture.report =
         state.hair->upload(scene.cards ? nullptr : scene.hair, constants, detail, picture.target.samples.x > 1);
-    state.head->draw(scene.head, quality.coarseHead ? scene.headInMotion : nullptr, scene.cards, constants);
+    state.head->draw(scene, quality.coarseHead, constants);
     state.hair->begin(constants, piecePoints);
     return picture;
 }

@@ -1,10 +1,11 @@
-// Draws the head with triangles and keeps the picture.
+// Draws head and solids with triangles and keeps the picture.
 #include "view/rendering/gl/head_layer.h"
 
 #include "sim/skin/mesh_openings.h"
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -30,6 +31,10 @@ tl::expected<std::unique_ptr<HeadLayer>, std::string> HeadLayer::create()
     if (!program)
         return tl::unexpected(program.error());
     layer->m_program = std::move(*program);
+    auto solidProgram = Program::graphics("head.vert", "head.frag", "#define SOLID\n");
+    if (!solidProgram)
+        return tl::unexpected(solidProgram.error());
+    layer->m_solidProgram = std::move(*solidProgram);
     layer->m_framebuffer = makeFramebuffer();
     return layer;
 }
@@ -65,20 +70,19 @@ void HeadLayer::Mesh::upload(const std::shared_ptr<const sim::HeadMesh>& head)
     glBindVertexArray(0);
 }
 
-bool HeadLayer::draw(const std::shared_ptr<const sim::HeadMesh>& head,
-                     const std::shared_ptr<const sim::HeadMesh>& inMotion, const std::shared_ptr<const CardSet>& cards,
-                     const FrameConstants& constants)
+bool HeadLayer::draw(const Scene& scene, bool coarse, const FrameConstants& constants)
 {
     const FrameConstants part = withoutHair(constants);
-    const bool same = head == m_head && cards == m_cards && part == m_drawnWith;
+    const bool same = scene.head == m_head && scene.cards == m_cards && scene.solids == m_solids && part == m_drawnWith;
     if (same && !m_isCoarse)
         return false;
-    m_head = head;
-    m_cards = cards;
+    m_head = scene.head;
+    m_cards = scene.cards;
+    m_solids = scene.solids;
     m_drawnWith = part;
-    m_isCoarse = !same && inMotion;
+    m_isCoarse = !same && coarse && scene.headInMotion;
     Mesh& mesh = m_isCoarse ? m_coarse : m_fine;
-    mesh.upload(m_isCoarse ? inMotion : head);
+    mesh.upload(m_isCoarse ? scene.headInMotion : scene.head);
 
     const auto width = static_cast<int>(constants.target.x);
     const auto height = static_cast<int>(constants.target.y);
@@ -92,21 +96,47 @@ bool HeadLayer::draw(const std::shared_ptr<const sim::HeadMesh>& head,
     const float far = 1.0F;
     glClearBufferfv(GL_COLOR, 0, nothing);
     glClearBufferfv(GL_DEPTH, 0, &far);
-    if (mesh.indexCount > 0)
-        drawMesh(mesh);
-    if (cards)
-        m_cardLayer.draw(cards);
+    if (mesh.indexCount > 0) {
+        m_program.use();
+        mesh.draw();
+    }
+    drawSolids();
+    if (m_cards)
+        m_cardLayer.draw(m_cards);
     return true;
 }
 
-void HeadLayer::drawMesh(const Mesh& mesh) const
+void HeadLayer::drawSolids()
+{
+    std::erase_if(m_solidMeshes, [this](const Mesh& mesh) {
+        return std::ranges::find(m_solids, mesh.source, &Solid::mesh) == m_solids.end();
+    });
+    for (const Solid& solid : m_solids) {
+        auto mesh = std::ranges::find(m_solidMeshes, solid.mesh, &Mesh::source);
+        if (mesh == m_solidMeshes.end()) {
+            mesh = m_solidMeshes.emplace(m_solidMeshes.end());
+            mesh->upload(solid.mesh);
+        }
+        const SkinShading skin = skinOf(solid);
+        const glm::quat& rotation = solid.shape.rotation;
+        m_solidProgram.use();
+        m_solidProgram.set("solidCentreHd", glm::vec4(solid.shape.centreHd, 0.0F));
+        m_solidProgram.set("solidSemiAxesM", glm::vec4(solid.shape.semiAxesM, 0.0F));
+        m_solidProgram.set("solidRotation", glm::vec4(rotation.x, rotation.y, rotation.z, rotation.w));
+        m_solidProgram.set("solidSkin[0]", glm::vec4(skin.colour, skin.scatter));
+        m_solidProgram.set("solidSkin[1]", glm::vec4(skin.lips, skin.grain));
+        m_solidProgram.set("solidSkin[2]", glm::vec4(skin.lids, skin.sheen));
+        mesh->draw();
+    }
+}
+
+void HeadLayer::Mesh::draw() const
 {
     glEnable(GL_DEPTH_TEST);
-    if (mesh.closed)
+    if (closed)
         glEnable(GL_CULL_FACE);
-    m_program.use();
-    glBindVertexArray(mesh.vertexArray.id());
-    glDrawElements(GL_TRIANGLES, mesh.indexCount, GL_UNSIGNED_INT, nullptr);
+    glBindVertexArray(vertexArray.id());
+    glDrawElements(GL_TRIANGLES, indexCount, GL_UNSIGNED_INT, nullptr);
     glBindVertexArray(0);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);

@@ -1,5 +1,5 @@
-// The picture and depth of the head, and of cards that stand for its hair, one texel a sample, drawn anew only when
-// something about it differs.
+// The picture and depth of the head, of what is worn on it and of cards that stand for its hair, one texel a sample,
+// drawn anew only when something about it differs.
 #pragma once
 
 #include "view/rendering/frame_constants.h"
@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace hairpaint::rendering {
 
@@ -16,11 +17,10 @@ class HeadLayer
 public:
     [[nodiscard]] static tl::expected<std::unique_ptr<HeadLayer>, std::string> create();
 
-    /// Draws `head` (may be null) with the constants bound to uniform buffer 0. Where the view differs from the call
-    /// before, `inMotion` is drawn instead, unless null, and `head` in the first call that does not differ.
-    /// `cards`: null where there are none. False where the last picture still holds.
-    bool draw(const std::shared_ptr<const sim::HeadMesh>& head, const std::shared_ptr<const sim::HeadMesh>& inMotion,
-              const std::shared_ptr<const CardSet>& cards, const FrameConstants& constants);
+    /// Draws the scene's head, solids and cards with the constants bound to uniform buffer 0. `coarse`: where the view
+    /// differs from the call before, headInMotion is drawn in the head's place, unless null, and the head in the first
+    /// call that does not differ. False where the last picture still holds.
+    bool draw(const Scene& scene, bool coarse, const FrameConstants& constants);
     /// Binds colour and depth to two texture units.
     void bind(unsigned colourUnit, unsigned depthUnit) const;
     [[nodiscard]] const Texture& depth() const { return m_depth; }
@@ -36,19 +36,23 @@ private:
         int indexCount = 0;
         bool closed = false; ///< The inside is never seen.
         void upload(const std::shared_ptr<const sim::HeadMesh>& head);
+        void draw() const; ///< By the program in use.
     };
 
-    void drawMesh(const Mesh& mesh) const;
+    void drawSolids();
 
     Program m_program;
+    Program m_solidProgram;
     CardLayer m_cardLayer;
     Mesh m_fine;
     Mesh m_coarse;
+    std::vector<Mesh> m_solidMeshes; ///< Of m_solids, each once.
     Framebuffer m_framebuffer;
     Texture m_colour;
     Texture m_depth;
     std::shared_ptr<const sim::HeadMesh> m_head;
     std::shared_ptr<const CardSet> m_cards;
+    std::vector<Solid> m_solids;
     FrameConstants m_drawnWith{};
     bool m_isCoarse = false; ///< What the picture shows.
 };

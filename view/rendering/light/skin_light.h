@@ -6,7 +6,7 @@
 
 namespace hairpaint::rendering {
 
-/// Wo, m; colours linear; see rendering::Skin for the rest.
+/// Wo, m; colours linear; see rendering::SkinShading for the rest.
 struct SkinLighting
 {
     glm::mat3 woFromHd{1.0F};

@@ -106,7 +106,7 @@ HWY_INLINE void rasterTriangle(const HeadBand& band, std::uint32_t number, BandS
 
 /// Lights up to a vector's samples of a row.
 HWY_INLINE void lightSamples(const HeadBand& band, const std::int32_t* xs, const std::int32_t* numbers, int row,
-                             std::size_t count, const BandScratch& scratch)
+                             std::size_t count)
 {
     const Tag d;
     const IntTag di;
@@ -159,20 +159,16 @@ HWY_INLINE void lightSamples(const HeadBand& band, const std::int32_t* xs, const
         return hn::ConvertTo(
             di, (root(clamped(c * Lanes(1.0F / kMostLight), 0.0F, 1.0F)) * Lanes(65535.0F) + Lanes(0.5F)).v);
     };
-    HWY_ALIGN std::int32_t rgb[3][kMostLanes];
+    HWY_ALIGN std::int32_t rgb[3][kMostLanes] = {};
     hn::Store(encoded(lit.x), di, rgb[0]);
     hn::Store(encoded(lit.y), di, rgb[1]);
     hn::Store(encoded(lit.z), di, rgb[2]);
     for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t inBand =
-            static_cast<std::size_t>(row - band.firstRow) * static_cast<std::size_t>(band.width) +
-            static_cast<std::size_t>(xs[i]);
         HeadSample& sample = band.samples[static_cast<std::size_t>(row) * static_cast<std::size_t>(band.width) +
                                           static_cast<std::size_t>(xs[i])];
         sample.red = static_cast<std::uint16_t>(rgb[0][i]);
         sample.green = static_cast<std::uint16_t>(rgb[1][i]);
         sample.blue = static_cast<std::uint16_t>(rgb[2][i]);
-        sample.cover = static_cast<std::uint16_t>(std::popcount(scratch.cover[inBand]) * 65535 / 16);
     }
 }
 
@@ -180,11 +176,6 @@ void drawBand(const HeadBand& band)
 {
     const auto rows = static_cast<std::size_t>(band.endRow - band.firstRow);
     const std::size_t count = rows * static_cast<std::size_t>(band.width);
-    const std::size_t first = static_cast<std::size_t>(band.firstRow) * static_cast<std::size_t>(band.width);
-    std::fill_n(band.distancesM + first, count, kNoHeadM);
-    std::fill_n(band.samples + first, count, HeadSample{});
-    if (band.numbers.empty())
-        return;
     BandScratch scratch;
     scratch.triangle.assign(count, kNoTriangle);
     scratch.cover.assign(count, 0);
@@ -194,15 +185,20 @@ void drawBand(const HeadBand& band)
         HWY_ALIGN std::int32_t xs[kMostLanes] = {};
         HWY_ALIGN std::int32_t numbers[kMostLanes] = {};
         std::size_t held = 0;
-        const std::int32_t* triangles = scratch.triangle.data() + static_cast<std::size_t>(row - band.firstRow) *
-                                                                      static_cast<std::size_t>(band.width);
+        const std::size_t inBand = static_cast<std::size_t>(row - band.firstRow) * static_cast<std::size_t>(band.width);
+        const std::int32_t* triangles = scratch.triangle.data() + inBand;
+        const std::uint16_t* cover = scratch.cover.data() + inBand;
+        HeadSample* samples = band.samples + static_cast<std::size_t>(row) * static_cast<std::size_t>(band.width);
         for (int x = 0; x < band.width; ++x) {
+            if (cover[x] != 0)
+                samples[x].cover = static_cast<std::uint16_t>(
+                    std::min(samples[x].cover + std::popcount(cover[x]) * 65535 / 16, 65535));
             if (triangles[x] == kNoTriangle)
                 continue;
             xs[held] = x;
             numbers[held] = triangles[x];
             if (++held == hn::Lanes(Tag())) {
-                lightSamples(band, xs, numbers, row, held, scratch);
+                lightSamples(band, xs, numbers, row, held);
                 held = 0;
             }
         }
@@ -212,7 +208,7 @@ void drawBand(const HeadBand& band)
                 xs[i] = xs[held - 1];
                 numbers[i] = numbers[held - 1];
             }
-            lightSamples(band, xs, numbers, row, held, scratch);
+            lightSamples(band, xs, numbers, row, held);
         }
     }
 }

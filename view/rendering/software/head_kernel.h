@@ -26,7 +26,7 @@ static_assert(sizeof(HeadVertex) == 16 * sizeof(float));
 
 inline constexpr float kNoHeadM = 1e9F; ///< Distance of a sample without head.
 
-/// Rows firstRow..endRow of the head's picture.
+/// Rows firstRow..endRow of the head's picture, and one mesh that is drawn there.
 struct HeadBand
 {
     std::span<const HeadVertex> vertices;
@@ -40,7 +40,8 @@ struct HeadBand
     HeadSample* samples = nullptr; ///< The picture's; rows are `width` long.
     float* distancesM = nullptr;
 };
-/// Draws the band's triangles and lights them.
+/// Draws the band's triangles and lights them, over what was drawn there of other meshes. It adds up how much of a
+/// sample meshes cover: where their outlines meet, nothing shines through.
 void drawHeadBand(const HeadBand& band);
 
 /// The hair's shadow on the skin and what it hides, in cells.

@@ -1,4 +1,4 @@
-// Places the head's vertices, sorts its triangles into bands of rows and draws these side by side.
+// Places the vertices of head and solids, sorts their triangles into bands of rows and draws these side by side.
 #include "view/rendering/software/head_picture.h"
 
 #include "sim/base/parallel.h"
@@ -20,124 +20,191 @@ glm::vec3 turnedBy(glm::vec4 q, glm::vec3 p)
     return p + 2.0F * glm::cross(axis, glm::cross(axis, p) + q.w * p);
 }
 
+/// As head.vert does.
+struct VertexPlacer
+{
+    explicit VertexPlacer(const FrameConstants& frame) : constants(frame), turn(frame.woFromHd) {}
+
+    [[nodiscard]] HeadVertex at(glm::vec3 hd, glm::vec3 normalHd, sim::SkinMarks marks) const
+    {
+        // The shoulders stay while the head turns: back by what has turned too much.
+        const float t = std::clamp((constants.neckPivotHd.w - hd.y) * constants.neckReach.x, 0.0F, 1.0F);
+        const float below = t * t * (3.0F - 2.0F * t);
+        const glm::vec4 mixed = glm::vec4(0.0F, 0.0F, 0.0F, 1.0F) * (1.0F - below) + constants.neckTurn * below;
+        const glm::vec4 unit = mixed / std::sqrt(glm::dot(mixed, mixed));
+        const glm::vec4 back(-glm::vec3(unit), unit.w);
+        const glm::vec3 pivot(constants.neckPivotHd);
+        const glm::vec4 wo = constants.woFromHd * glm::vec4(turnedBy(back, hd - pivot) + pivot, 1.0F);
+        const glm::vec4 clip = constants.projectionFromWo * wo;
+        constexpr float kByte = 1.0F / 255.0F;
+        HeadVertex vertex;
+        vertex.perDistance = clip.w > kNearestHeadM ? 1.0F / clip.w : 0.0F;
+        vertex.x = (clip.x * vertex.perDistance * 0.5F + 0.5F) * constants.target.x;
+        vertex.y = (clip.y * vertex.perDistance * 0.5F + 0.5F) * constants.target.y;
+        vertex.placeWo = glm::vec3(wo);
+        vertex.normalWo = turn * turnedBy(back, normalHd);
+        vertex.placeHd = hd;
+        vertex.sky = static_cast<float>(marks.sky) * kByte;
+        vertex.lips = static_cast<float>(marks.lips) * kByte;
+        vertex.lids = static_cast<float>(marks.lids) * kByte;
+        vertex.blush = static_cast<float>(marks.blush) * kByte;
+        return vertex;
+    }
+
+    const FrameConstants& constants;
+    glm::mat3 turn;
+};
+
+/// Calls vertex(i) for all of a mesh.
+template<typename Vertex>
+void placeInto(std::vector<HeadVertex>& vertices, std::size_t count, const Vertex& vertex)
+{
+    vertices.resize(count);
+    sim::parallelFor(count, 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            vertices[i] = vertex(i);
+    });
+}
+
+SkinLighting lightingOf(const FrameConstants& constants, const SkinShading& skin)
+{
+    return {.woFromHd = glm::mat3(constants.woFromHd),
+            .eyeWo = glm::vec3(constants.eyeWo),
+            .key = keyLight(constants),
+            .fill = fillLight(constants),
+            .rim = rimLight(constants),
+            .around = irradianceIn(constants),
+            .colour = skin.colour,
+            .lips = skin.lips,
+            .lids = skin.lids,
+            .scatter = skin.scatter,
+            .grain = skin.grain,
+            .sheen = skin.sheen};
+}
+
 } // namespace
 
-void HeadPicture::update(const std::shared_ptr<const sim::HeadMesh>& head,
-                         const std::shared_ptr<const sim::HeadMesh>& inMotion,
-                         const std::shared_ptr<const CardSet>& cards, const FrameConstants& constants)
+void HeadPicture::update(const Scene& scene, bool coarse, const FrameConstants& constants)
 {
     const FrameConstants part = withoutHair(constants);
-    const bool same = head == m_head && cards == m_cards && part == m_drawnWith && m_width > 0;
+    const bool same = scene.head == m_head && scene.cards == m_cards && scene.solids == m_solids &&
+                      part == m_drawnWith && m_width > 0;
     if (same && !m_isCoarse)
         return;
     m_width = 0; // Where memory runs out half-way, there is no picture.
-    const bool coarse = !same && inMotion && head;
+    m_isCoarse = !same && coarse && scene.headInMotion && scene.head;
     const auto width = static_cast<int>(constants.target.x);
     const auto height = static_cast<int>(constants.target.y);
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     m_samples.resize(count + kTileSp); // Resolving reads whole rows of a tile, also at the picture's edge.
     m_distancesM.resize(count);
     m_rowHasHead.assign(static_cast<std::size_t>(height), 0);
-    Mesh& mesh = coarse ? m_coarse : m_fine;
-    const std::shared_ptr<const sim::HeadMesh>& shown = coarse ? inMotion : head;
+    Mesh& mesh = m_isCoarse ? m_coarse : m_fine;
+    const std::shared_ptr<const sim::HeadMesh>& shown = m_isCoarse ? scene.headInMotion : scene.head;
     if (mesh.source != shown) {
         mesh.source = shown;
         mesh.closed = shown && sim::openEdges(*shown).empty();
     }
-    const auto bands = static_cast<std::size_t>((height + kBandRows - 1) / kBandRows);
-    m_bandBegin.assign(bands + 1, 0);
-    m_bandTriangles.clear();
+    m_solids = scene.solids;
+    placeParts(shown, mesh.closed, constants, height);
+    if (scene.cards)
+        m_cardPicture.place(*scene.cards, constants);
     HeadBand whole;
-    if (shown) {
-        place(*shown, constants);
-        m_height = height;
-        sortIntoBands(*shown, mesh.closed);
-        whole.triangles = shown->triangles;
-    }
-    whole.vertices = m_vertices;
     whole.width = width;
     whole.samplesPerM = constants.gridSize.z;
     whole.samples = m_samples.data();
     whole.distancesM = m_distancesM.data();
-    whole.lighting = {.woFromHd = glm::mat3(constants.woFromHd),
-                      .eyeWo = glm::vec3(constants.eyeWo),
-                      .key = keyLight(constants),
-                      .fill = fillLight(constants),
-                      .rim = rimLight(constants),
-                      .around = irradianceIn(constants),
-                      .colour = glm::vec3(constants.skin[0]),
-                      .lips = glm::vec3(constants.skin[1]),
-                      .lids = glm::vec3(constants.skin[2]),
-                      .scatter = constants.skin[0].w,
-                      .grain = constants.skin[1].w,
-                      .sheen = constants.skin[2].w};
-    if (cards)
-        m_cardPicture.place(*cards, constants);
+    const auto bands = static_cast<std::size_t>((height + kBandRows - 1) / kBandRows);
     sim::parallelFor(bands, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) {
             HeadBand band = whole;
-            band.numbers = std::span(m_bandTriangles).subspan(m_bandBegin[b], m_bandBegin[b + 1] - m_bandBegin[b]);
             band.firstRow = static_cast<int>(b) * kBandRows;
             band.endRow = std::min(band.firstRow + kBandRows, height);
-            drawHeadBand(band);
-            const bool any = cards && m_cardPicture.drawBand({.width = width,
-                                                              .firstRow = band.firstRow,
-                                                              .endRow = band.endRow,
-                                                              .samples = m_samples.data(),
-                                                              .distancesM = m_distancesM.data()});
+            const bool anyPart = drawParts(band, b);
+            const bool anyCard = scene.cards && m_cardPicture.drawBand({.width = width,
+                                                                        .firstRow = band.firstRow,
+                                                                        .endRow = band.endRow,
+                                                                        .samples = m_samples.data(),
+                                                                        .distancesM = m_distancesM.data()});
             std::fill(m_rowHasHead.begin() + band.firstRow, m_rowHasHead.begin() + band.endRow,
-                      band.numbers.empty() && !any ? std::uint8_t{0} : std::uint8_t{1});
+                      anyPart || anyCard ? std::uint8_t{1} : std::uint8_t{0});
         }
     });
-    m_head = head;
-    m_cards = cards;
+    m_head = scene.head;
+    m_cards = scene.cards;
     m_drawnWith = part;
-    m_isCoarse = coarse;
     m_width = width;
     m_height = height;
 }
 
-/// As head.vert does.
-void HeadPicture::place(const sim::HeadMesh& mesh, const FrameConstants& constants)
+void HeadPicture::placeParts(const std::shared_ptr<const sim::HeadMesh>& head, bool closed,
+                             const FrameConstants& constants, int height)
 {
-    m_vertices.resize(mesh.positionsHd.size());
-    const glm::mat3 turn(constants.woFromHd);
-    sim::parallelFor(m_vertices.size(), 4096, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const glm::vec3 hd = mesh.positionsHd[i];
-            // The shoulders stay while the head turns: back by what has turned too much.
-            const float t = std::clamp((constants.neckPivotHd.w - hd.y) * constants.neckReach.x, 0.0F, 1.0F);
-            const float below = t * t * (3.0F - 2.0F * t);
-            const glm::vec4 mixed = glm::vec4(0.0F, 0.0F, 0.0F, 1.0F) * (1.0F - below) + constants.neckTurn * below;
-            const glm::vec4 unit = mixed / std::sqrt(glm::dot(mixed, mixed));
-            const glm::vec4 back(-glm::vec3(unit), unit.w);
-            const glm::vec3 pivot(constants.neckPivotHd);
-            const glm::vec4 wo = constants.woFromHd * glm::vec4(turnedBy(back, hd - pivot) + pivot, 1.0F);
-            const glm::vec4 clip = constants.projectionFromWo * wo;
-            HeadVertex& vertex = m_vertices[i];
-            vertex.perDistance = clip.w > kNearestHeadM ? 1.0F / clip.w : 0.0F;
-            vertex.x = (clip.x * vertex.perDistance * 0.5F + 0.5F) * constants.target.x;
-            vertex.y = (clip.y * vertex.perDistance * 0.5F + 0.5F) * constants.target.y;
-            vertex.placeWo = glm::vec3(wo);
-            vertex.normalWo = turn * turnedBy(back, mesh.normalsHd[i]);
-            vertex.placeHd = hd;
-            constexpr float kByte = 1.0F / 255.0F;
-            const sim::SkinMarks marks = mesh.marks.empty() ? sim::SkinMarks{} : mesh.marks[i];
-            vertex.sky = static_cast<float>(marks.sky) * kByte;
-            vertex.lips = static_cast<float>(marks.lips) * kByte;
-            vertex.lids = static_cast<float>(marks.lids) * kByte;
-            vertex.blush = static_cast<float>(marks.blush) * kByte;
-        }
-    });
+    const VertexPlacer placer(constants);
+    m_parts.resize(std::size_t{head ? 1U : 0U} + m_solids.size());
+    auto part = m_parts.begin();
+    if (head) {
+        placeInto(part->vertices, head->positionsHd.size(), [&](std::size_t i) {
+            return placer.at(head->positionsHd[i], head->normalsHd[i],
+                             head->marks.empty() ? sim::SkinMarks{} : head->marks[i]);
+        });
+        part->triangles = head->triangles;
+        part->lighting = lightingOf(constants, {.colour = glm::vec3(constants.skin[0]),
+                                                .lips = glm::vec3(constants.skin[1]),
+                                                .lids = glm::vec3(constants.skin[2]),
+                                                .scatter = constants.skin[0].w,
+                                                .grain = constants.skin[1].w,
+                                                .sheen = constants.skin[2].w});
+        part->sortIntoBands(closed, height);
+        ++part;
+    }
+    for (const Solid& solid : m_solids) {
+        const sim::HeadMesh& mesh = *solid.mesh;
+        const glm::quat& q = solid.shape.rotation;
+        const glm::vec4 rotation(q.x, q.y, q.z, q.w);
+        placeInto(part->vertices, mesh.positionsHd.size(), [&](std::size_t i) {
+            const glm::vec3 normal = mesh.normalsHd[i] / solid.shape.semiAxesM;
+            return placer.at(solid.shape.centreHd + turnedBy(rotation, mesh.positionsHd[i] * solid.shape.semiAxesM),
+                             turnedBy(rotation, normal / std::sqrt(glm::dot(normal, normal))), sim::SkinMarks{});
+        });
+        part->triangles = mesh.triangles;
+        part->lighting = lightingOf(constants, skinOf(solid));
+        part->sortIntoBands(true, height);
+        ++part;
+    }
 }
 
-void HeadPicture::sortIntoBands(const sim::HeadMesh& mesh, bool closed)
+bool HeadPicture::drawParts(HeadBand band, std::size_t number) const
 {
-    const auto most = static_cast<float>(m_height - 1);
+    const std::size_t first = static_cast<std::size_t>(band.firstRow) * static_cast<std::size_t>(band.width);
+    const std::size_t count =
+        static_cast<std::size_t>(band.endRow - band.firstRow) * static_cast<std::size_t>(band.width);
+    std::fill_n(band.distancesM + first, count, kNoHeadM);
+    std::fill_n(band.samples + first, count, HeadSample{});
+    bool any = false;
+    for (const Part& part : m_parts) {
+        const std::uint32_t begin = part.bandBegin[number];
+        const std::uint32_t end = part.bandBegin[number + 1];
+        if (begin == end)
+            continue;
+        band.vertices = part.vertices;
+        band.triangles = part.triangles;
+        band.numbers = std::span(part.bandTriangles).subspan(begin, end - begin);
+        band.lighting = part.lighting;
+        drawHeadBand(band);
+        any = true;
+    }
+    return any;
+}
+
+void HeadPicture::Part::sortIntoBands(bool closed, int height)
+{
+    bandBegin.assign(static_cast<std::size_t>((height + kBandRows - 1) / kBandRows) + 1, 0);
+    const auto most = static_cast<float>(height - 1);
     const auto bandsOf = [&](const glm::uvec3& corners, std::size_t& first, std::size_t& last) {
-        const HeadVertex& a = m_vertices[corners.x];
-        const HeadVertex& b = m_vertices[corners.y];
-        const HeadVertex& c = m_vertices[corners.z];
+        const HeadVertex& a = vertices[corners.x];
+        const HeadVertex& b = vertices[corners.y];
+        const HeadVertex& c = vertices[corners.z];
         if (a.perDistance <= 0.0F || b.perDistance <= 0.0F || c.perDistance <= 0.0F)
             return false;
         if (closed && (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y) <= 0.0F)
@@ -152,18 +219,18 @@ void HeadPicture::sortIntoBands(const sim::HeadMesh& mesh, bool closed)
     };
     std::size_t first = 0;
     std::size_t last = 0;
-    for (const glm::uvec3& corners : mesh.triangles)
+    for (const glm::uvec3& corners : triangles)
         if (bandsOf(corners, first, last))
             for (std::size_t band = first; band <= last; ++band)
-                ++m_bandBegin[band + 1];
-    for (std::size_t band = 1; band < m_bandBegin.size(); ++band)
-        m_bandBegin[band] += m_bandBegin[band - 1];
-    m_bandTriangles.resize(m_bandBegin.back());
-    std::vector<std::uint32_t> next(m_bandBegin.begin(), m_bandBegin.end() - 1);
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-        if (bandsOf(mesh.triangles[i], first, last))
+                ++bandBegin[band + 1];
+    for (std::size_t band = 1; band < bandBegin.size(); ++band)
+        bandBegin[band] += bandBegin[band - 1];
+    bandTriangles.resize(bandBegin.back());
+    std::vector<std::uint32_t> next(bandBegin.begin(), bandBegin.end() - 1);
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        if (bandsOf(triangles[i], first, last))
             for (std::size_t band = first; band <= last; ++band)
-                m_bandTriangles[next[band]++] = static_cast<std::uint32_t>(i);
+                bandTriangles[next[band]++] = static_cast<std::uint32_t>(i);
 }
 
 bool HeadPicture::isIn(int x0, int y0, int across, int up) const

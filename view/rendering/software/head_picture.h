@@ -1,5 +1,5 @@
-// The picture and depth of the head, and of cards that stand for its hair, drawn anew only when something about it
-// differs.
+// The picture and depth of the head, of what is worn on it and of cards that stand for its hair, drawn anew only when
+// something about it differs.
 #pragma once
 
 #include "view/rendering/frame_constants.h"
@@ -8,6 +8,7 @@
 #include "view/rendering/software/tile_kernel.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace hairpaint::rendering {
@@ -16,10 +17,9 @@ namespace hairpaint::rendering {
 class HeadPicture
 {
 public:
-    /// Draws `head` (may be null). Where the view differs from the call before, `inMotion` is drawn instead,
-    /// unless null, and `head` in the first call that does not differ. `cards`: null where there are none.
-    void update(const std::shared_ptr<const sim::HeadMesh>& head, const std::shared_ptr<const sim::HeadMesh>& inMotion,
-                const std::shared_ptr<const CardSet>& cards, const FrameConstants& constants);
+    /// Draws the scene's head, solids and cards. `coarse`: where the view differs from the call before, headInMotion is
+    /// drawn in the head's place, unless null, and the head in the first call that does not differ.
+    void update(const Scene& scene, bool coarse, const FrameConstants& constants);
     [[nodiscard]] const std::vector<HeadSample>& samples() const { return m_samples; }
     /// Distances along the view, m; huge where there is no head.
     [[nodiscard]] const std::vector<float>& distancesM() const { return m_distancesM; }
@@ -36,14 +36,27 @@ private:
         std::shared_ptr<const sim::HeadMesh> source;
         bool closed = false; ///< The inside is never seen.
     };
-    void place(const sim::HeadMesh& mesh, const FrameConstants& constants);
-    void sortIntoBands(const sim::HeadMesh& mesh, bool closed);
+    /// A mesh as this picture has it.
+    struct Part
+    {
+        std::vector<HeadVertex> vertices;
+        std::span<const glm::uvec3> triangles;
+        SkinLighting lighting;
+        std::vector<std::uint32_t> bandBegin; ///< Into the triangles of each band of rows.
+        std::vector<std::uint32_t> bandTriangles;
+        void sortIntoBands(bool closed, int height);
+    };
+    void placeParts(const std::shared_ptr<const sim::HeadMesh>& head, bool closed, const FrameConstants& constants,
+                    int height);
+    /// Whether there is anything of head and solids in the band.
+    bool drawParts(HeadBand band, std::size_t number) const;
 
     Mesh m_fine;
     Mesh m_coarse;
     CardPicture m_cardPicture;
     std::shared_ptr<const sim::HeadMesh> m_head;
     std::shared_ptr<const CardSet> m_cards;
+    std::vector<Solid> m_solids;
     FrameConstants m_drawnWith{};
     bool m_isCoarse = false; ///< What the picture shows.
     int m_width = 0;
@@ -51,9 +64,7 @@ private:
     std::vector<HeadSample> m_samples;
     std::vector<float> m_distancesM;
     std::vector<std::uint8_t> m_rowHasHead;
-    std::vector<HeadVertex> m_vertices;
-    std::vector<std::uint32_t> m_bandBegin; ///< Into the triangles of each band of rows.
-    std::vector<std::uint32_t> m_bandTriangles;
+    std::vector<Part> m_parts; ///< The head, then the solids.
 };
 
 } // namespace hairpaint::rendering

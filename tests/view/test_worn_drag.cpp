@@ -1,4 +1,4 @@
-// The ellipsoids that hair does not enter, edited in the 3D area.
+// What is worn, edited in the 3D area.
 #include "model/document/commands.h"
 #include "tests/support/test_program.h"
 #include "tests/view/head_fixture.h"
@@ -12,19 +12,24 @@ using namespace hairpaint::test;
 namespace {
 
 /// Two ellipsoids in a ball, shown.
-struct ColliderFixture : HeadFixture
+struct WornFixture : HeadFixture
 {
-    ColliderFixture()
+    WornFixture()
     {
-        editor.document.push(setEllipsoidsCommand(editor.document,
-                                                  {{.centreHd = {0.0F, 0.0F, 0.0F}, .semiAxesM = {0.05F, 0.08F, 0.06F}},
-                                                   {.centreHd = {0.0F, -0.1F, 0.0F}, .semiAxesM = glm::vec3(0.03F)}},
-                                                  QStringLiteral("Add colliders")));
-        editor.document.undoStack().clear();
+        add(model::WornKind::Ellipsoid, {.centreHd = {0.0F, 0.0F, 0.0F}, .semiAxesM = {0.05F, 0.08F, 0.06F}});
+        add(model::WornKind::Ellipsoid, {.centreHd = {0.0F, -0.1F, 0.0F}, .semiAxesM = glm::vec3(0.03F)});
         editor.state.options().setCollidersShown(true);
     }
-    [[nodiscard]] const std::vector<sim::Ellipsoid>& all() { return editor.document.project().ellipsoids; }
-    [[nodiscard]] const sim::Ellipsoid& first() { return all().front(); }
+    /// Its id. No undo step is left.
+    model::Id add(model::WornKind kind, const sim::Ellipsoid& shape)
+    {
+        const model::Id id = editor.document.project().nextId;
+        editor.document.push(addWornCommand(editor.document, {.kind = kind, .shape = shape}));
+        editor.document.undoStack().clear();
+        return id;
+    }
+    [[nodiscard]] const std::vector<model::Worn>& all() { return editor.document.project().worn; }
+    [[nodiscard]] const sim::Ellipsoid& first() { return all().front().shape; }
     [[nodiscard]] QUndoStack& stack() { return editor.document.undoStack(); }
     [[nodiscard]] QPointF shown(glm::vec3 positionHd) { return area.positionOf(positionHd).value_or(QPointF()); }
     /// An end of the first one's axis, on its outline.
@@ -36,21 +41,21 @@ const glm::vec3 kUp(0.0F, 1.0F, 0.0F);
 
 } // namespace
 
-class TestColliderDrag : public QObject
+class TestWornDrag : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
     void anOutlineIsDraggedInThePlaneOfTheScreen()
     {
-        ColliderFixture f;
-        const std::vector<sim::Ellipsoid> before = f.all();
+        WornFixture f;
+        const std::vector<model::Worn> before = f.all();
         const QPointF centre = f.shown(f.first().centreHd);
         const QPoint from = f.end(kRight);
         f.drag(from, from + QPoint(40, -25));
-        QVERIFY(f.editor.state.options().chosenCollider() == std::size_t{0});
+        QCOMPARE(f.editor.state.options().chosenWorn(), before.front().id);
         const QPointF way = f.shown(f.first().centreHd) - centre;
         QVERIFY(std::abs(way.x() - 40.0) < 1.0 && std::abs(way.y() + 25.0) < 1.0);
-        QVERIFY(f.first().semiAxesM == before.front().semiAxesM);
+        QVERIFY(f.first().semiAxesM == before.front().shape.semiAxesM);
         QVERIFY(f.all()[1] == before[1]);
         QCOMPARE(f.stack().count(), 1);
         QCOMPARE(f.stack().text(0), QStringLiteral("Move collider"));
@@ -67,7 +72,7 @@ private Q_SLOTS:
     void anAxisOfTheChosenOneIsDraggedByItsEnd()
     {
         QFETCH(Qt::KeyboardModifiers, modifiers);
-        ColliderFixture f;
+        WornFixture f;
         const sim::Ellipsoid before = f.first();
         QTest::mouseClick(&f.area, Qt::LeftButton, {}, f.end(kRight));
         QCOMPARE(f.stack().count(), 0); // Only chosen.
@@ -84,7 +89,7 @@ private Q_SLOTS:
 
     void withShiftTheOutlineSizesAll()
     {
-        ColliderFixture f;
+        WornFixture f;
         const sim::Ellipsoid before = f.first();
         const QPoint from = f.end(kRight);
         const QPoint centre = f.shown(before.centreHd).toPoint();
@@ -95,13 +100,13 @@ private Q_SLOTS:
 
     void escCancelsADrag()
     {
-        ColliderFixture f;
-        const std::vector<sim::Ellipsoid> before = f.all();
+        WornFixture f;
+        const std::vector<model::Worn> before = f.all();
         const QPoint from = f.end(kRight);
         QTest::mousePress(&f.area, Qt::LeftButton, {}, from);
         f.move(from + QPoint(50, 0), Qt::LeftButton, {});
         QVERIFY(f.all() != before);
-        QVERIFY(f.editor.document.groomInput().colliders == f.all()); // Hair hears of it.
+        QVERIFY(f.editor.document.groomInput().colliders == contactShapes(f.all())); // Hair hears of it.
         QTest::keyClick(&f.area, Qt::Key_Escape);
         QVERIFY(f.all() == before);
         QTest::mouseRelease(&f.area, Qt::LeftButton, {}, from + QPoint(50, 0));
@@ -111,13 +116,13 @@ private Q_SLOTS:
 
     void elsewhereAndWhileTheyAreHiddenToolsWorkAsEver()
     {
-        ColliderFixture f;
-        const std::vector<sim::Ellipsoid> before = f.all();
+        WornFixture f;
+        const std::vector<model::Worn> before = f.all();
         const QPoint outline = f.end(kRight);
         f.drag(kMiddle + QPoint(12, 14), kMiddle + QPoint(16, 20));
         QCOMPARE(f.stack().count(), 1);
         f.editor.state.options().setCollidersShown(false);
-        QVERIFY(!f.editor.state.options().chosenCollider());
+        QCOMPARE(f.editor.state.options().chosenWorn(), 0);
         f.drag(outline, outline + QPoint(10, 10));
         QCOMPARE(f.stack().count(), 2);
         QVERIFY(f.all() == before);
@@ -126,26 +131,26 @@ private Q_SLOTS:
 
     void theyAreAddedAndRemoved()
     {
-        ColliderFixture f;
-        f.area.removeCollider(); // None is chosen.
+        WornFixture f;
+        f.area.removeWorn(); // None is chosen.
         QCOMPARE(f.stack().count(), 0);
         const QPoint place = kMiddle + QPoint(30, 10);
         QTest::mouseMove(&f.area, place);
-        f.area.addCollider();
+        f.area.addWorn(model::WornKind::Ellipsoid);
         QCOMPARE(f.all().size(), std::size_t{3});
-        QVERIFY(f.editor.state.options().chosenCollider() == std::size_t{2});
+        QCOMPARE(f.editor.state.options().chosenWorn(), f.all().back().id);
         QCOMPARE(f.stack().text(0), QStringLiteral("Add collider"));
-        f.area.removeCollider();
+        f.area.removeWorn();
         QCOMPARE(f.all().size(), std::size_t{2});
-        QVERIFY(!f.editor.state.options().chosenCollider());
+        QCOMPARE(f.editor.state.options().chosenWorn(), 0);
         QCOMPARE(f.stack().text(1), QStringLiteral("Remove collider"));
         f.editor.document.undo();
         QCOMPARE(f.all().size(), std::size_t{3});
-        for (std::size_t i = 0; i < model::kMostEllipsoids; ++i)
-            f.area.addCollider();
-        QCOMPARE(f.all().size(), model::kMostEllipsoids); // A file holds no more.
+        for (std::size_t i = 0; i < model::wornSpec(model::WornKind::Ellipsoid).limit; ++i)
+            f.area.addWorn(model::WornKind::Ellipsoid);
+        QCOMPARE(f.all().size(), model::wornSpec(model::WornKind::Ellipsoid).limit); // A file holds no more.
     }
 };
 
-HAIRPAINT_TEST(TestColliderDrag, Widgets)
-#include "test_collider_drag.moc"
+HAIRPAINT_TEST(TestWornDrag, Widgets)
+#include "test_worn_drag.moc"

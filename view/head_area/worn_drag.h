@@ -1,12 +1,13 @@
-// The ellipsoids over the head under the pointer: chosen, moved and sized.
+// What is worn, under the pointer: chosen, moved and sized.
 #pragma once
 
 #include "model/document/edit_session.h"
+#include "model/project/worn.h"
 #include "view/editing/pointer.h"
-#include "view/head_area/collider_shape.h"
+#include "view/head_area/worn_outline.h"
 
-#include <cstddef>
 #include <optional>
+#include <vector>
 
 class QWidget;
 
@@ -15,13 +16,17 @@ namespace hairpaint::view {
 class EditorState;
 class HeadScene;
 
-/// While colliders are shown, a press on an outline chooses that one and drags it in the plane of the screen (with
-/// Shift: makes it larger or smaller), and one on an end of a chosen one's axis changes that radius (with Shift: all).
-/// Each drag is one undo step, or none where it is cancelled. GUI thread; all that it is made of must outlive it.
-class ColliderDrag
+/// Whose outlines are seen: those of all while colliders are shown, else of the chosen one.
+[[nodiscard]] std::vector<model::Worn> outlinedWorn(const EditorState& editor);
+
+/// A press on an outline, or on a body that is drawn, chooses that thing and drags it in the plane of the screen (with
+/// Shift: makes it larger or smaller), and one on an end of a chosen one's axis changes what WornSpec::handles says.
+/// One elsewhere lets go of what is chosen and drawn. Each drag is one undo step, or none where it is cancelled. GUI
+/// thread; all that it is made of must outlive it.
+class WornDrag
 {
 public:
-    ColliderDrag(EditorState& editor, const HeadScene& scene, const QWidget& area)
+    WornDrag(EditorState& editor, const HeadScene& scene, const QWidget& area)
         : m_editor(editor), m_scene(scene), m_area(area)
     {}
 
@@ -35,10 +40,11 @@ public:
 private:
     struct Grip
     {
-        std::size_t index = 0;
-        std::optional<int> end = {}; ///< Of an axis; none: the outline.
+        model::Id id = 0;
+        std::optional<int> end = {}; ///< Of an axis; none: the outline or the body.
     };
     [[nodiscard]] std::optional<Grip> gripAt(QPointF position) const;
+    [[nodiscard]] model::Id bodyAt(QPointF position) const; ///< 0 where none is before the skin.
     [[nodiscard]] HeadSight sight() const;
     [[nodiscard]] sim::Ellipsoid moved(const PointerSample& sample) const;
     [[nodiscard]] sim::Ellipsoid sized(const PointerSample& sample) const;
@@ -49,7 +55,7 @@ private:
     model::EditSession m_edit;
     Grip m_grip;
     PointerSample m_pressed;
-    sim::Ellipsoid m_before;
+    model::Worn m_before;
 };
 
 } // namespace hairpaint::view

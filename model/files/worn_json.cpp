@@ -1,0 +1,142 @@
+// Reading and writing what is worn.
+#include "model/files/worn_json.h"
+
+#include "model/files/group_json.h"
+#include "model/files/json_fields.h"
+
+#include <algorithm>
+#include <set>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr const char* kWornKey = "worn";
+constexpr const char* kKindKey = "kind";
+constexpr const char* kIdKey = "id";
+
+template<typename Fields>
+void visitWorn(Fields& fields, Worn& worn)
+{
+    const WornSpec& spec = wornSpec(worn.kind);
+    fields.integer(kIdKey, worn.id, -1, kGreatestNextId);
+    fields.numbers("centre_m", components(worn.shape.centreHd), -100.0F, 100.0F);
+    fields.numbers("semi_axes_m", components(worn.shape.semiAxesM), 1e-4F, 100.0F);
+    glm::quat& rotation = worn.shape.rotation;
+    std::array<float, 4> turn = {rotation.x, rotation.y, rotation.z, rotation.w};
+    fields.numbers("rotation", std::span<float>(turn), -1.0F, 1.0F);
+    rotation = glm::quat(turn[3], turn[0], turn[1], turn[2]);
+    if (spec.drawn())
+        fields.colour("colour", worn.colour);
+}
+
+class WornParser
+{
+public:
+    WornParser(const std::vector<HairGroup>& groups, Id nextId) : m_nextId(nextId)
+    {
+        for (const HairGroup& group : groups) {
+            m_ids.insert(group.id);
+            for (const MapStack& stack : group.maps)
+                for (const Layer& layer : stack.layers)
+                    m_ids.insert(layer.id);
+        }
+    }
+
+    /// `only`: the kind of all of them; null: each tells its own.
+    [[nodiscard]] Checked<void> parse(const QJsonObject& root, const char* key, const WornSpec* only)
+    {
+        constexpr qsizetype kMost = 4096; // More than all limits together.
+        const QJsonValue value = root.value(QLatin1StringView(key));
+        if (value.isUndefined())
+            return {};
+        QString problem;
+        FieldReader owner(root, problem);
+        const QJsonArray array = value.toArray();
+        if (!value.isArray() || array.size() > kMost)
+            owner.complain(key);
+        for (const QJsonValueConstRef item : array) {
+            if (!problem.isEmpty())
+                break;
+            const QJsonValue kind = item.toObject().value(QLatin1StringView(kKindKey));
+            const WornSpec* spec = only != nullptr ? only : findWornSpec(kind.toString());
+            if (spec == nullptr && kind.isString())
+                return refuse(
+                    say(QT_TRANSLATE_NOOP("Files", "something worn in it is of a kind that is not known to this one")),
+                    Clause::Cure::NewerProgram);
+            if (spec == nullptr || !item.isObject() || countOf(m_all, spec->kind) >= spec->limit)
+                owner.complain(key);
+            else if (!parseOne(item.toObject(), *spec, problem))
+                owner.complain(key);
+        }
+        if (!problem.isEmpty())
+            return refuse(problem);
+        return {};
+    }
+    [[nodiscard]] std::vector<Worn> take() { return std::move(m_all); }
+
+private:
+    bool parseOne(const QJsonObject& object, const WornSpec& spec, QString& problem)
+    {
+        Worn worn{.kind = spec.kind, .colour = spec.colour};
+        FieldReader fields(object, problem);
+        visitWorn(fields, worn);
+        const glm::quat& q = worn.shape.rotation;
+        const bool hasId = fields.contains(kIdKey);
+        if (glm::dot(q, q) < 1e-6F || (hasId && (worn.id < 1 || worn.id >= m_nextId || !m_ids.insert(worn.id).second)))
+            return false;
+        insertWorn(m_all, worn);
+        return true;
+    }
+
+    Id m_nextId;
+    std::set<Id> m_ids; // A QSet ends the program where memory runs out.
+    std::vector<Worn> m_all;
+};
+
+} // namespace
+
+void wornToJson(const std::vector<Worn>& all, QJsonObject& root)
+{
+    const auto written = [](Worn worn, const char* kind) {
+        FieldWriter fields;
+        if (kind != nullptr)
+            fields.text(kKindKey, QString::fromLatin1(kind));
+        visitWorn(fields, worn);
+        return fields.take();
+    };
+    for (const WornSpec& spec : wornSpecs()) {
+        if (spec.ownArray == nullptr)
+            continue;
+        QJsonArray array;
+        for (const Worn& one : all)
+            if (one.kind == spec.kind && array.size() < static_cast<qsizetype>(spec.limit))
+                array.append(written(one, nullptr));
+        root.insert(QLatin1StringView(spec.ownArray), array);
+    }
+    QJsonArray others;
+    for (const Worn& one : all)
+        if (wornSpec(one.kind).ownArray == nullptr)
+            others.append(written(one, wornSpec(one.kind).id));
+    if (!others.isEmpty())
+        root.insert(QLatin1StringView(kWornKey), others);
+}
+
+bool needsWornArray(const std::vector<Worn>& all)
+{
+    return std::ranges::any_of(all, [](const Worn& one) { return wornSpec(one.kind).ownArray == nullptr; });
+}
+
+Checked<std::vector<Worn>> wornFromJson(const QJsonObject& root, const std::vector<HairGroup>& groups, Id nextId)
+{
+    WornParser parser(groups, nextId);
+    for (const WornSpec& spec : wornSpecs())
+        if (spec.ownArray != nullptr)
+            if (Checked<void> parsed = parser.parse(root, spec.ownArray, &spec); !parsed)
+                return tl::unexpected(parsed.error());
+    if (Checked<void> parsed = parser.parse(root, kWornKey, nullptr); !parsed)
+        return tl::unexpected(parsed.error());
+    return parser.take();
+}
+
+} // namespace hairpaint::model

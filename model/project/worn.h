@@ -1,0 +1,89 @@
+// What is worn on the head and is not hair, and the one table of its kinds: menus, handles, undo, files, contact and
+// pictures read it.
+#pragma once
+
+#include "model/project/change.h"
+#include "sim/skin/ellipsoid.h"
+#include "sim/skin/head_mesh.h"
+
+#include <QColor>
+#include <QLatin1StringView>
+#include <QString>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace hairpaint::model {
+
+enum class WornKind : std::uint8_t
+{
+    Ellipsoid ///< Stands for a part of the head in collisions.
+};
+
+struct Worn
+{
+    Id id = 0;
+    WornKind kind = WornKind::Ellipsoid;
+    sim::Ellipsoid shape = {}; ///< Where it is, how it is turned and how large it is.
+    QRgb colour = 0;           ///< Of a kind that is drawn; 0 otherwise.
+    friend bool operator==(const Worn&, const Worn&) = default;
+};
+
+/// What a pull on an end of an axis sizes.
+enum class WornHandles : std::uint8_t
+{
+    Axes,  ///< That axis; with Shift all.
+    Radius ///< All.
+};
+
+/// A kind. Texts are in context "Worn" (wornText).
+struct WornSpec
+{
+    WornKind kind;
+    const char* id;       ///< In files.
+    const char* ownArray; ///< Of project.json, with those of this kind; null: they lie in `worn`, and tell their kind.
+
+    const char* action;      ///< Ends the ids of the menus' actions: hair.add..., hair.remove...
+    const char* addTitle;    ///< In menus, with a mnemonic.
+    const char* addHint;     ///< %1: the limit.
+    const char* removeTitle; ///< In menus, with a mnemonic.
+    const char* addStep;     ///< For undo, as the next three.
+    const char* removeStep;
+    const char* moveStep;
+    const char* sizeStep;
+
+    std::size_t limit; ///< In a project.
+    float radiusM;     ///< Of a new one,
+    float liftRadii;   ///< how far its centre lies above the skin, in radii,
+    QRgb colour;       ///< and its colour.
+    float leastRadiusM;
+    float greatestRadiusM;
+    WornHandles handles;
+    bool ofHead;   ///< The head brings its own: another head takes them away.
+    bool collides; ///< Hair does not enter its shape.
+    /// Drawn as a lit body: a closed mesh that fits the unit ball, which the shape scales, turns and moves. Null: never
+    /// drawn, and in reach only while colliders are shown.
+    std::shared_ptr<const sim::HeadMesh> (*mesh)();
+    float sheen; ///< 0..1: how much light it reflects without taking its colour.
+
+    [[nodiscard]] bool drawn() const { return mesh != nullptr; }
+};
+
+[[nodiscard]] std::span<const WornSpec> wornSpecs();
+[[nodiscard]] const WornSpec& wornSpec(WornKind kind);
+[[nodiscard]] const WornSpec* findWornSpec(const QString& id); ///< Null where there is none.
+[[nodiscard]] QString wornText(const char* text);
+
+/// A new one on the skin, without an id. `normalHd`: outward, unit.
+[[nodiscard]] Worn makeWorn(const WornSpec& spec, glm::vec3 positionHd, glm::vec3 normalHd);
+
+/// Things lie in the order of the table and, of one kind, in that of their coming: as files give them back.
+void insertWorn(std::vector<Worn>& all, const Worn& one);
+[[nodiscard]] std::size_t countOf(const std::vector<Worn>& all, WornKind kind);
+/// What hair does not enter.
+[[nodiscard]] std::vector<sim::Ellipsoid> contactShapes(const std::vector<Worn>& all);
+/// Of kinds that a head brings.
+[[nodiscard]] std::vector<sim::Ellipsoid> shapesOfHead(const std::vector<Worn>& all);
+
+} // namespace hairpaint::model

@@ -1,0 +1,222 @@
+// What is worn: one list with ids, undone, kept in files, and read by contact.
+#include "model/document/commands.h"
+#include "model/files/head_file.h"
+#include "model/files/project_json.h"
+#include "sim/solver/collider_set.h"
+#include "tests/model/fixtures.h"
+#include "tests/model/sample_project.h"
+#include "tests/support/test_program.h"
+
+#include <QJsonDocument>
+#include <QUndoStack>
+#include <QtTest>
+
+#include <set>
+
+using namespace hairpaint;
+using namespace hairpaint::model;
+
+namespace {
+
+/// Made once: it is painted all over.
+const Project& sample()
+{
+    static const Project project = test::makeSampleProject();
+    return project;
+}
+
+Worn onTop(WornKind kind)
+{
+    return makeWorn(wornSpec(kind), {0.0F, 0.1F, 0.0F}, {0.0F, 1.0F, 0.0F});
+}
+
+/// Two of each kind, the last kind first.
+Project wearingAll()
+{
+    Project project = sample();
+    project.worn.clear();
+    for (int turn = 0; turn < 2; ++turn)
+        for (std::size_t i = wornSpecs().size(); i-- > 0;) {
+            Worn worn = onTop(wornSpecs()[i].kind);
+            worn.id = project.takeId();
+            worn.shape.rotation = glm::quat(0.5F, 0.5F, -0.5F, 0.5F);
+            insertWorn(project.worn, worn);
+        }
+    return project;
+}
+
+QJsonObject rootOf(const QByteArray& json)
+{
+    return QJsonDocument::fromJson(json).object();
+}
+
+void forEveryKind()
+{
+    QTest::addColumn<WornKind>("kind");
+    for (const WornSpec& spec : wornSpecs())
+        QTest::newRow(spec.id) << spec.kind;
+}
+
+} // namespace
+
+class TestWorn : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void theTableIsInOrderAndWhole()
+    {
+        std::set<QByteArray> ids;
+        for (std::size_t i = 0; i < wornSpecs().size(); ++i) {
+            const WornSpec& spec = wornSpecs()[i];
+            QCOMPARE(static_cast<std::size_t>(spec.kind), i);
+            QVERIFY(ids.insert(spec.id).second);
+            QVERIFY(findWornSpec(QString::fromLatin1(spec.id)) == &spec);
+            for (const char* text :
+                 {spec.addTitle, spec.removeTitle, spec.addStep, spec.removeStep, spec.moveStep, spec.sizeStep})
+                QVERIFY(!wornText(text).isEmpty());
+            QVERIFY(wornText(spec.addHint).contains(QStringLiteral("%1")));
+            QVERIFY(spec.leastRadiusM <= spec.radiusM && spec.radiusM <= spec.greatestRadiusM);
+            QVERIFY(spec.limit > 0 && (!spec.drawn() || spec.ownArray == nullptr));
+        }
+        QVERIFY(findWornSpec(QStringLiteral("tiara")) == nullptr);
+        std::size_t colliding = 0;
+        for (const WornSpec& spec : wornSpecs())
+            colliding += spec.collides ? spec.limit : 0;
+        QVERIFY(colliding <= std::size_t{sim::kMaxColliders}); // Contact reads no more.
+    }
+
+    void itIsAddedAndRemovedByItsIdAndUndone_data() { forEveryKind(); }
+    void itIsAddedAndRemovedByItsIdAndUndone()
+    {
+        QFETCH(WornKind, kind);
+        Document document(wearingAll());
+        const Project before = document.committed();
+        document.push(addWornCommand(document, onTop(kind)));
+        const Project after = document.committed();
+        QCOMPARE(after.worn.size(), before.worn.size() + 1);
+        const Worn* added = after.wornThing(before.nextId);
+        QVERIFY(added != nullptr && added->kind == kind);
+        QCOMPARE(after.nextId, before.nextId + 1);
+        QCOMPARE(document.undoStack().text(0), wornText(wornSpec(kind).addStep));
+        // The others keep their ids, whichever goes.
+        document.push(removeWornCommand(document, before.worn.front().id));
+        QCOMPARE(document.committed().worn.size(), before.worn.size());
+        QVERIFY(*document.committed().wornThing(added->id) == *added);
+        QVERIFY(document.committed().wornThing(before.worn.front().id) == nullptr);
+        document.undo();
+        QVERIFY(test::sameProjects(document.committed(), after));
+        document.undo();
+        QVERIFY(test::sameProjects(document.committed(), before));
+        document.undoStack().redo();
+        QVERIFY(test::sameProjects(document.committed(), after));
+    }
+
+    void noMoreThanTheLimitAreTaken_data() { forEveryKind(); }
+    void noMoreThanTheLimitAreTaken()
+    {
+        QFETCH(WornKind, kind);
+        Project project = wearingAll();
+        while (countOf(project.worn, kind) < wornSpec(kind).limit) {
+            Worn worn = onTop(kind);
+            worn.id = project.takeId();
+            insertWorn(project.worn, worn);
+        }
+        Document document(project);
+        QCOMPARE(addWornCommand(document, onTop(kind)), nullptr);
+        const Checked<QByteArray> json = projectToJson(project);
+        QVERIFY(json && projectFromJson(*json));
+    }
+
+    void hairKeepsOutOfWhatCollidesAlone()
+    {
+        Document document(wearingAll());
+        const std::vector<Worn>& all = document.project().worn;
+        std::vector<sim::Ellipsoid> shapes;
+        for (const Worn& one : all)
+            if (wornSpec(one.kind).collides)
+                shapes.push_back(one.shape);
+        QVERIFY(document.groomInput().colliders == shapes);
+        QVERIFY(std::ranges::is_sorted(all, {}, &Worn::kind));
+    }
+
+    void aHeadBringsItsOwnAndLeavesTheRest()
+    {
+        Document document(wearingAll());
+        const Project before = document.committed();
+        document.push(setHeadCommand(document, builtInHead(), builtInEllipsoids()));
+        const Project& after = document.committed();
+        QCOMPARE(shapesOfHead(after.worn), builtInEllipsoids());
+        std::set<Id> ids;
+        for (const Worn& one : after.worn) {
+            QVERIFY(ids.insert(one.id).second && one.id < after.nextId);
+            if (!wornSpec(one.kind).ofHead)
+                QVERIFY(before.wornThing(one.id) != nullptr && *before.wornThing(one.id) == one);
+        }
+        document.undo();
+        QVERIFY(test::sameProjects(document.committed(), before));
+    }
+
+    void filesGiveItBack()
+    {
+        const Project project = wearingAll();
+        const Checked<QByteArray> json = projectToJson(project);
+        QVERIFY(json);
+        const Checked<ProjectManifest> manifest = projectFromJson(*json);
+        QVERIFY2(manifest, manifest ? "" : qPrintable(manifest.error().text));
+        QVERIFY(manifest->project.worn == project.worn);
+        QCOMPARE(manifest->project.nextId, project.nextId);
+    }
+
+    /// A program that does not know the array `worn` must not lose what stands there.
+    void theVersionIsTheFirstThatSaysAllOfIt_data() { forEveryKind(); }
+    void theVersionIsTheFirstThatSaysAllOfIt()
+    {
+        QFETCH(WornKind, kind);
+        Project project = sample();
+        Worn worn = onTop(kind);
+        worn.id = project.takeId();
+        insertWorn(project.worn, worn);
+        const QJsonObject root = rootOf(projectToJson(project).value_or(QByteArray()));
+        const bool plain = wornSpec(kind).ownArray != nullptr;
+        QCOMPARE(root.value(QLatin1String("format_version")).toInt(), plain ? 2 : 3);
+        QCOMPARE(root.contains(QLatin1String("worn")), !plain);
+    }
+
+    /// As versions 1 and 2 wrote them until ids were given.
+    void ellipsoidsWithoutIdsGetThem()
+    {
+        const Project project = sample();
+        QJsonObject root = rootOf(projectToJson(project).value_or(QByteArray()));
+        QJsonArray ellipsoids = root.value(QLatin1String("ellipsoids")).toArray();
+        QCOMPARE(ellipsoids.size(), qsizetype{2});
+        for (QJsonValueRef value : ellipsoids) {
+            QJsonObject one = value.toObject();
+            QVERIFY(one.contains(QLatin1String("id")));
+            one.remove(QStringLiteral("id"));
+            value = one;
+        }
+        root.insert(QStringLiteral("ellipsoids"), ellipsoids);
+        Checked<ProjectManifest> manifest = projectFromJson(QJsonDocument(root).toJson());
+        QVERIFY2(manifest, manifest ? "" : qPrintable(manifest.error().text));
+        Project& read = manifest->project;
+        read.head = project.head;
+        QVERIFY(shapesOfHead(read.worn) == shapesOfHead(project.worn));
+        QCOMPARE(read.worn.front().id, project.nextId);
+        QCOMPARE(read.nextId, project.nextId + 2);
+        // Once given they stay.
+        const Checked<ProjectManifest> again = projectFromJson(projectToJson(read).value_or(QByteArray()));
+        QVERIFY(again && again->project.worn == read.worn && again->project.nextId == read.nextId);
+    }
+
+    void aKindToComeAsksForANewerProgram()
+    {
+        QJsonObject root = rootOf(projectToJson(sample()).value_or(QByteArray()));
+        root.insert(QStringLiteral("worn"), QJsonArray{QJsonObject{{QStringLiteral("kind"), QStringLiteral("tiara")}}});
+        const Checked<ProjectManifest> manifest = projectFromJson(QJsonDocument(root).toJson());
+        QVERIFY(!manifest);
+        QCOMPARE(manifest.error().cure, Clause::Cure::NewerProgram);
+    }
+};
+
+HAIRPAINT_TEST(TestWorn, Core)
+#include "test_worn.moc"

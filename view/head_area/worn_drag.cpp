@@ -1,0 +1,198 @@
+// Grips of worn things, and what dragging them does.
+#include "view/head_area/worn_drag.h"
+
+#include "view/editing/editor_state.h"
+#include "view/head_area/head_scene.h"
+
+#include <QWidget>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hairpaint::view {
+
+namespace {
+
+constexpr double kGripPx = 6.0;
+constexpr float kFurthestM = 1.0F;
+constexpr float kSeenFromItsEnd = 0.05F; ///< Squared sine: such an axis has no length on the screen.
+
+double distanceTo(const QPolygonF& line, QPointF position)
+{
+    double nearest = std::numeric_limits<double>::max();
+    for (qsizetype i = 0; i + 1 < line.size(); ++i) {
+        const QPointF edge = line[i + 1] - line[i];
+        const QPointF from = position - line[i];
+        const double t =
+            std::clamp(QPointF::dotProduct(from, edge) / std::max(QPointF::dotProduct(edge, edge), 1e-9), 0.0, 1.0);
+        const QPointF away = from - edge * t;
+        nearest = std::min(nearest, std::hypot(away.x(), away.y()));
+    }
+    return nearest;
+}
+
+/// How far along a line from `from` lies the place that is nearest to the ray; none where it is seen from its end.
+std::optional<float> alongLine(glm::vec3 from, glm::vec3 unit, const sim::RayHd& ray)
+{
+    const float cosine = glm::dot(unit, ray.directionHd);
+    const float sine2 = 1.0F - cosine * cosine;
+    if (sine2 < kSeenFromItsEnd)
+        return std::nullopt;
+    const glm::vec3 between = from - ray.originHd;
+    return (cosine * glm::dot(ray.directionHd, between) - glm::dot(unit, between)) / sine2;
+}
+
+} // namespace
+
+std::vector<model::Worn> outlinedWorn(const EditorState& editor)
+{
+    const model::Project& project = editor.document().project();
+    if (editor.options().collidersShown())
+        return project.worn;
+    const model::Worn* chosen = project.wornThing(editor.options().chosenWorn());
+    return chosen != nullptr ? std::vector{*chosen} : std::vector<model::Worn>();
+}
+
+HeadSight WornDrag::sight() const
+{
+    return {.camera = m_scene.camera(), .pose = m_scene.shownPose(), .size = QSizeF(m_area.size())};
+}
+
+/// Ends of the chosen one's axes come first, then its outline, then the nearest of the other outlines, then bodies.
+std::optional<WornDrag::Grip> WornDrag::gripAt(QPointF position) const
+{
+    const HeadSight now = sight();
+    const model::Id chosen = m_editor.options().chosenWorn();
+    const model::Worn* handled = m_editor.document().project().wornThing(chosen);
+    for (int end = 0; handled != nullptr && end < kAxisEnds; ++end) {
+        const std::optional<QPointF> at =
+            project(now.camera, inWorld(axisEnd(handled->shape, end), now.pose), now.size);
+        if (at && std::hypot(at->x() - position.x(), at->y() - position.y()) < kGripPx)
+            return Grip{.id = chosen, .end = end};
+    }
+    std::optional<Grip> grip;
+    double nearest = kGripPx;
+    for (const model::Worn& worn : outlinedWorn(m_editor))
+        for (const QPolygonF& outline : outlinesOf(worn.shape, now)) {
+            const double distance = distanceTo(outline, position);
+            if (distance < kGripPx && chosen == worn.id)
+                return Grip{.id = worn.id};
+            if (distance < nearest) {
+                nearest = distance;
+                grip = Grip{.id = worn.id};
+            }
+        }
+    if (grip)
+        return grip;
+    const model::Id body = bodyAt(position);
+    return body != 0 ? std::optional(Grip{.id = body}) : std::nullopt;
+}
+
+model::Id WornDrag::bodyAt(QPointF position) const
+{
+    const std::vector<model::Worn>& all = m_editor.document().project().worn;
+    if (std::ranges::none_of(all, [](const model::Worn& worn) { return wornSpec(worn.kind).drawn(); }))
+        return 0;
+    const HeadSight now = sight();
+    const sim::RayHd ray = inHead(rayThrough(now.camera, position, now.size), now.pose);
+    const std::optional<sim::SurfacePoint> skin = m_scene.skinAt(position);
+    float nearestM = skin ? glm::distance(ray.originHd, skin->positionHd) : std::numeric_limits<float>::max();
+    model::Id nearest = 0;
+    for (const model::Worn& worn : all) {
+        if (!wornSpec(worn.kind).drawn())
+            continue;
+        const std::optional<float> entryM = entryAlong(ray, worn.shape);
+        if (entryM && *entryM < nearestM) {
+            nearestM = *entryM;
+            nearest = worn.id;
+        }
+    }
+    return nearest;
+}
+
+bool WornDrag::press(const PointerSample& sample)
+{
+    const std::optional<Grip> grip = gripAt(sample.position);
+    const model::Project& project = m_editor.document().project();
+    if (!grip) {
+        const model::Worn* chosen = project.wornThing(m_editor.options().chosenWorn());
+        if (chosen != nullptr && wornSpec(chosen->kind).drawn())
+            m_editor.options().setChosenWorn(0);
+        return false;
+    }
+    m_grip = *grip;
+    m_pressed = sample;
+    m_before = *project.wornThing(grip->id);
+    m_editor.options().setChosenWorn(grip->id);
+    return true;
+}
+
+void WornDrag::move(const PointerSample& sample)
+{
+    if (m_editor.document().project().wornThing(m_grip.id) == nullptr)
+        return;
+    const bool sizes = m_grip.end || m_pressed.modifiers.testFlag(Qt::ShiftModifier);
+    const model::WornSpec& spec = wornSpec(m_before.kind);
+    m_editor.document().show(m_edit, {.text = model::wornText(sizes ? spec.sizeStep : spec.moveStep)},
+                             {.aspect = model::Change::Aspect::Environment},
+                             [id = m_grip.id, now = sizes ? sized(sample) : moved(sample)](model::Project& project) {
+                                 if (model::Worn* worn = project.wornThing(id))
+                                     worn->shape = now;
+                             });
+}
+
+sim::Ellipsoid WornDrag::moved(const PointerSample& sample) const
+{
+    const HeadSight now = sight();
+    const sim::Ellipsoid& before = m_before.shape;
+    const glm::vec3 eyeWo = now.camera.eyeWo();
+    const glm::vec3 forward = glm::normalize(now.camera.targetWo - eyeWo);
+    const float depthM = glm::dot(inWorld(before.centreHd, now.pose) - eyeWo, forward);
+    const auto inPlane = [&](QPointF position) {
+        const glm::vec3 ray = rayThrough(now.camera, position, now.size).directionWo;
+        return eyeWo + ray * (depthM / std::max(glm::dot(ray, forward), 1e-3F));
+    };
+    const glm::vec3 displacementWo = inPlane(sample.position) - inPlane(m_pressed.position);
+    sim::Ellipsoid shape = before;
+    shape.centreHd =
+        glm::clamp(before.centreHd + glm::conjugate(now.pose.rotation) * displacementWo, -kFurthestM, kFurthestM);
+    return shape;
+}
+
+sim::Ellipsoid WornDrag::sized(const PointerSample& sample) const
+{
+    const HeadSight now = sight();
+    const sim::Ellipsoid& before = m_before.shape;
+    const model::WornSpec& spec = wornSpec(m_before.kind);
+    const auto bounded = [&spec](glm::vec3 semiAxesM) {
+        return glm::clamp(semiAxesM, spec.leastRadiusM, spec.greatestRadiusM);
+    };
+    sim::Ellipsoid shape = before;
+    if (!m_grip.end) {
+        const QPointF centre =
+            project(now.camera, inWorld(before.centreHd, now.pose), now.size).value_or(m_pressed.position);
+        const auto from = [centre](QPointF at) { return std::hypot(at.x() - centre.x(), at.y() - centre.y()); };
+        const double scale = from(sample.position) / std::max(from(m_pressed.position), 1.0);
+        shape.semiAxesM = bounded(before.semiAxesM * static_cast<float>(scale));
+        return shape;
+    }
+    const glm::vec3 axis = axisToEnd(before, *m_grip.end);
+    const auto along = [&](QPointF at) {
+        return alongLine(before.centreHd, axis, inHead(rayThrough(now.camera, at, now.size), now.pose));
+    };
+    const std::optional<float> start = along(m_pressed.position);
+    const std::optional<float> end = along(sample.position);
+    if (!start || !end)
+        return shape;
+    const int own = *m_grip.end / 2;
+    const float radiusM = std::max(before.semiAxesM[own] + *end - *start, spec.leastRadiusM);
+    if (spec.handles == model::WornHandles::Radius || m_pressed.modifiers.testFlag(Qt::ShiftModifier))
+        shape.semiAxesM *= radiusM / before.semiAxesM[own];
+    else
+        shape.semiAxesM[own] = radiusM;
+    shape.semiAxesM = bounded(shape.semiAxesM);
+    return shape;
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,37 @@
+// One undo step each.
+#include "view/head_area/worn_edit.h"
+
+#include "model/document/commands.h"
+#include "view/editing/editor_state.h"
+
+#include <algorithm>
+#include <ranges>
+
+namespace hairpaint::view {
+
+void addWornAt(EditorState& editor, model::WornKind kind, const sim::SurfacePoint& point)
+{
+    const model::WornSpec& spec = model::wornSpec(kind);
+    model::Document& document = editor.document();
+    model::CommandPtr command = addWornCommand(document, makeWorn(spec, point.positionHd, point.normalHd));
+    if (command == nullptr)
+        return;
+    document.push(std::move(command));
+    const std::vector<model::Worn>& all = document.project().worn;
+    if (!spec.drawn())
+        editor.options().setCollidersShown(true);
+    // The newest of its kind is the last one.
+    editor.options().setChosenWorn(std::ranges::find(all | std::views::reverse, kind, &model::Worn::kind)->id);
+}
+
+void removeChosenWorn(EditorState& editor)
+{
+    model::Document& document = editor.document();
+    const model::Id chosen = editor.options().chosenWorn();
+    if (chosen == 0)
+        return;
+    editor.options().setChosenWorn(0);
+    document.push(removeWornCommand(document, chosen));
+}
+
+} // namespace hairpaint::view

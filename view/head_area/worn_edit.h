@@ -1,0 +1,17 @@
+// Worn things added to and removed from the document.
+#pragma once
+
+#include "model/project/worn.h"
+#include "sim/skin/skin.h"
+
+namespace hairpaint::view {
+
+class EditorState;
+
+/// On the skin there; it is chosen, and seen: of a kind that is never drawn, by its outline. Nothing where a project
+/// holds no more.
+void addWornAt(EditorState& editor, model::WornKind kind, const sim::SurfacePoint& point);
+/// Nothing where none is chosen.
+void removeChosenWorn(EditorState& editor);
+
+} // namespace hairpaint::view

@@ -1,0 +1,59 @@
+// Ellipses, the ends of axes, and rays that meet the shape.
+#include "view/head_area/worn_outline.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace hairpaint::view {
+
+std::vector<QPolygonF> outlinesOf(const sim::Ellipsoid& shape, const HeadSight& sight)
+{
+    constexpr int kCorners = 64;
+    std::vector<QPolygonF> outlines;
+    for (int axis = 0; axis < 3; ++axis) {
+        QPolygonF ellipse;
+        for (int i = 0; i <= kCorners; ++i) {
+            const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kCorners;
+            glm::vec3 own(0.0F);
+            own[(axis + 1) % 3] = std::cos(angle);
+            own[(axis + 2) % 3] = std::sin(angle);
+            const glm::vec3 positionHd = shape.centreHd + shape.rotation * (own * shape.semiAxesM);
+            const std::optional<QPointF> at = project(sight.camera, inWorld(positionHd, sight.pose), sight.size);
+            if (!at)
+                break;
+            ellipse.push_back(*at);
+        }
+        if (ellipse.size() > kCorners)
+            outlines.push_back(std::move(ellipse));
+    }
+    return outlines;
+}
+
+glm::vec3 axisToEnd(const sim::Ellipsoid& shape, int end)
+{
+    glm::vec3 own(0.0F);
+    own[end / 2] = end % 2 == 0 ? 1.0F : -1.0F;
+    return shape.rotation * own;
+}
+
+glm::vec3 axisEnd(const sim::Ellipsoid& shape, int end)
+{
+    return shape.centreHd + axisToEnd(shape, end) * shape.semiAxesM[end / 2];
+}
+
+std::optional<float> entryAlong(const sim::RayHd& ray, const sim::Ellipsoid& shape)
+{
+    // In the space in which the shape is the unit ball; distances along the ray stay as they are.
+    const glm::quat back = glm::conjugate(glm::normalize(shape.rotation));
+    const glm::vec3 origin = back * (ray.originHd - shape.centreHd) / shape.semiAxesM;
+    const glm::vec3 direction = back * ray.directionHd / shape.semiAxesM;
+    const float a = glm::dot(direction, direction);
+    const float b = glm::dot(origin, direction);
+    const float discriminant = b * b - a * (glm::dot(origin, origin) - 1.0F);
+    if (discriminant < 0.0F)
+        return std::nullopt;
+    const float distanceM = (-b - std::sqrt(discriminant)) / a;
+    return distanceM > 0.0F ? std::optional(distanceM) : std::nullopt;
+}
+
+} // namespace hairpaint::view

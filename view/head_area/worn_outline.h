@@ -1,0 +1,32 @@
+// Where the shape of a worn thing shows in the 3D area. Pure functions.
+#pragma once
+
+#include "sim/skin/ellipsoid.h"
+#include "sim/skin/skin.h"
+#include "view/head_area/head_camera.h"
+
+#include <optional>
+#include <vector>
+
+namespace hairpaint::view {
+
+/// How the 3D area looks at the head.
+struct HeadSight
+{
+    rendering::Camera camera;
+    sim::HeadPose pose;
+    QSizeF size; ///< px
+};
+
+inline constexpr int kAxisEnds = 6;
+
+/// Where it is cut across each of its own axes through its centre; without those of which a part lies behind the eye.
+[[nodiscard]] std::vector<QPolygonF> outlinesOf(const sim::Ellipsoid& shape, const HeadSight& sight);
+/// An end of one of its axes (two for each, in their order), Hd.
+[[nodiscard]] glm::vec3 axisEnd(const sim::Ellipsoid& shape, int end);
+/// Unit, from the centre to that end, Hd.
+[[nodiscard]] glm::vec3 axisToEnd(const sim::Ellipsoid& shape, int end);
+/// How far along the ray it enters the shape, m; none where it misses it or begins inside.
+[[nodiscard]] std::optional<float> entryAlong(const sim::RayHd& ray, const sim::Ellipsoid& shape);
+
+} // namespace hairpaint::view
