@@ -42,7 +42,7 @@ HeadPointer::Drag HeadPointer::dragOf(const PointerSample& pressed)
     const bool alt = pressed.modifiers.testFlag(Qt::AltModifier);
     if (!alt && m_wornDrag.press(pressed))
         return Drag::Worn;
-    if (!alt && m_editor.tools().active().traits().grabs) {
+    if (!alt && grabs()) {
         m_grabbed = m_scene.hairAt(pressed.position);
         return m_grabbed ? Drag::Stroke : Drag::Orbit;
     }
