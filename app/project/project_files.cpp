@@ -81,7 +81,7 @@ bool ProjectFiles::newBaldProject()
 {
     if (!mayDiscard())
         return false;
-    return begin(startingOfNew(), model::newProject);
+    return begin(startingOfNew(), baldProject);
 }
 
 bool ProjectFiles::begin(const Doing& doing, const std::function<model::Project()>& make)

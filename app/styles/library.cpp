@@ -4,6 +4,7 @@
 #include "model/document/commands.h"
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
+#include "model/project/group_schema.h"
 #include "model/values/names.h"
 
 #include <QCoreApplication>
@@ -53,6 +54,14 @@ model::Project starterProject()
     return project;
 }
 
+model::Project baldProject()
+{
+    model::Project project = model::newProject();
+    for (model::HairGroup& group : project.groups)
+        group.settings.variation = model::naturalVariation();
+    return project;
+}
+
 QString baldStylePath()
 {
     return QStringLiteral(":/bald");
@@ -81,7 +90,7 @@ QString styleContentName(const QString& path)
 model::Result<model::Preset> loadStyle(const QString& path)
 {
     if (path == baldStylePath())
-        return model::presetFrom(model::newProject(), kBald);
+        return model::presetFrom(baldProject(), kBald);
     return model::loadPreset(path);
 }
 

@@ -15,6 +15,8 @@ namespace hairpaint::app {
 
 /// The style that the program starts with, applied to a new project on the head of new projects. Any thread.
 [[nodiscard]] model::Project starterProject();
+/// A new project without hair; what is painted on it differs from hair to hair as people's does. Any thread.
+[[nodiscard]] model::Project baldProject();
 
 /// What a bald head stands under in the list of styles; no file.
 [[nodiscard]] QString baldStylePath();

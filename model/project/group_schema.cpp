@@ -204,7 +204,6 @@ sim::VariationSettings naturalVariation()
 GroupSettings newGroupSettings(double scalpFraction)
 {
     GroupSettings settings;
-    settings.variation = naturalVariation();
     groupSetting(QLatin1StringView("basis_hairs")).writeShown(settings, kBasisHairs, scalpFraction);
     return settings;
 }

@@ -73,9 +73,10 @@ struct GroupSetting
 [[nodiscard]] std::span<const GroupSetting> groupSchema();
 /// The row of that key; there must be one.
 [[nodiscard]] const GroupSetting& groupSetting(QLatin1StringView key);
-/// How much the hairs of people differ, a few grey ones aside.
+/// How much the hairs of people differ, grey ones aside. What is begun by hand starts with it; what files and scripts
+/// begin is exactly what its maps say.
 [[nodiscard]] sim::VariationSettings naturalVariation();
-/// What a new group starts with: natural variation, 4,096 basis hairs on the scalp.
+/// What a new group starts with: 4,096 basis hairs on the scalp.
 [[nodiscard]] sim::GroupSettings newGroupSettings(double scalpFraction);
 [[nodiscard]] QString schemaText(const char* text); ///< Translated; empty stays empty.
 
