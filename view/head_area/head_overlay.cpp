@@ -99,9 +99,8 @@ void HeadOverlay::setWorn(const std::vector<model::Worn>& worn, model::Id chosen
         std::vector<QPolygonF> outlines = outlinesOf(one.shape, sight);
         if (one.id == chosen) {
             m_chosen = outlines;
-            for (int end = 0; end < kAxisEnds; ++end)
-                if (const auto at = project(camera, inWorld(axisEnd(one.shape, end), pose), QSizeF(size())))
-                    m_chosenEnds.push_back(*at);
+            for (const WornHandle& handle : handlesOf(one, sight))
+                m_chosenEnds.push_back(handle.at);
         }
         std::ranges::move(outlines, std::back_inserter(m_wornOutlines));
     }

@@ -60,33 +60,28 @@ HeadSight WornDrag::sight() const
 }
 
 /// Ends of the chosen one's axes come first, then its outline, then the nearest of the other outlines, then bodies.
-std::optional<WornDrag::Grip> WornDrag::gripAt(QPointF position) const
+WornDrag::Grip WornDrag::gripAt(QPointF position) const
 {
     const HeadSight now = sight();
     const model::Id chosen = m_editor.chosenWorn();
     const model::Worn* handled = m_editor.document().project().wornThing(chosen);
-    for (int end = 0; handled != nullptr && end < kAxisEnds; ++end) {
-        const std::optional<QPointF> at =
-            project(now.camera, inWorld(axisEnd(handled->shape, end), now.pose), now.size);
-        if (at && std::hypot(at->x() - position.x(), at->y() - position.y()) < kGripPx)
-            return Grip{.id = chosen, .end = end};
-    }
-    std::optional<Grip> grip;
+    if (handled != nullptr)
+        for (const auto& [end, at] : handlesOf(*handled, now))
+            if (std::hypot(at.x() - position.x(), at.y() - position.y()) < kGripPx)
+                return {.id = chosen, .end = end};
+    model::Id outlined = 0;
     double nearest = kGripPx;
     for (const model::Worn& worn : outlinedWorn(m_editor))
         for (const QPolygonF& outline : outlinesOf(worn.shape, now)) {
             const double distance = distanceTo(outline, position);
             if (distance < kGripPx && chosen == worn.id)
-                return Grip{.id = worn.id};
+                return {.id = worn.id};
             if (distance < nearest) {
                 nearest = distance;
-                grip = Grip{.id = worn.id};
+                outlined = worn.id;
             }
         }
-    if (grip)
-        return grip;
-    const model::Id body = bodyAt(position);
-    return body != 0 ? std::optional(Grip{.id = body}) : std::nullopt;
+    return {.id = outlined != 0 ? outlined : bodyAt(position)};
 }
 
 model::Id WornDrag::bodyAt(QPointF position) const
@@ -113,18 +108,18 @@ model::Id WornDrag::bodyAt(QPointF position) const
 
 bool WornDrag::press(const PointerSample& sample)
 {
-    const std::optional<Grip> grip = gripAt(sample.position);
+    const Grip grip = gripAt(sample.position);
     const model::Project& project = m_editor.document().project();
-    if (!grip) {
+    if (grip.id == 0) {
         const model::Worn* chosen = project.wornThing(m_editor.chosenWorn());
         if (chosen != nullptr && wornSpec(chosen->kind).drawn())
             m_editor.setChosenWorn(0);
         return false;
     }
-    m_grip = *grip;
+    m_grip = grip;
     m_pressed = sample;
-    m_before = *project.wornThing(grip->id);
-    m_editor.setChosenWorn(grip->id);
+    m_before = *project.wornThing(grip.id);
+    m_editor.setChosenWorn(grip.id);
     return true;
 }
 
@@ -132,7 +127,7 @@ void WornDrag::move(const PointerSample& sample)
 {
     if (m_editor.document().project().wornThing(m_grip.id) == nullptr)
         return;
-    const bool sizes = m_grip.end || m_pressed.modifiers.testFlag(Qt::ShiftModifier);
+    const bool sizes = m_grip.end != kNoEnd || m_pressed.modifiers.testFlag(Qt::ShiftModifier);
     const model::WornSpec& spec = wornSpec(m_before.kind);
     m_editor.document().show(m_edit, {.text = model::wornText(sizes ? spec.sizeStep : spec.moveStep)},
                              {.aspect = model::Change::Aspect::Environment},
@@ -169,7 +164,7 @@ sim::Ellipsoid WornDrag::sized(const PointerSample& sample) const
         return glm::clamp(semiAxesM, spec.leastRadiusM, spec.greatestRadiusM);
     };
     sim::Ellipsoid shape = before;
-    if (!m_grip.end) {
+    if (m_grip.end == kNoEnd) {
         const QPointF centre =
             project(now.camera, inWorld(before.centreHd, now.pose), now.size).value_or(m_pressed.position);
         const auto from = [centre](QPointF at) { return std::hypot(at.x() - centre.x(), at.y() - centre.y()); };
@@ -177,7 +172,7 @@ sim::Ellipsoid WornDrag::sized(const PointerSample& sample) const
         shape.semiAxesM = bounded(before.semiAxesM * static_cast<float>(scale));
         return shape;
     }
-    const glm::vec3 axis = axisToEnd(before, *m_grip.end);
+    const glm::vec3 axis = axisToEnd(before, m_grip.end);
     const auto along = [&](QPointF at) {
         return alongLine(before.centreHd, axis, inHead(rayThrough(now.camera, at, now.size), now.pose));
     };
@@ -185,7 +180,7 @@ sim::Ellipsoid WornDrag::sized(const PointerSample& sample) const
     const std::optional<float> end = along(sample.position);
     if (!start || !end)
         return shape;
-    const int own = *m_grip.end / 2;
+    const int own = m_grip.end / 2;
     const float radiusM = std::max(before.semiAxesM[own] + *end - *start, spec.leastRadiusM);
     if (spec.handles == model::WornHandles::Radius || m_pressed.modifiers.testFlag(Qt::ShiftModifier))
         shape.semiAxesM *= radiusM / before.semiAxesM[own];

@@ -6,7 +6,6 @@
 #include "view/editing/pointer.h"
 #include "view/head_area/worn_outline.h"
 
-#include <optional>
 #include <vector>
 
 class QWidget;
@@ -35,15 +34,16 @@ public:
     void release() { m_edit.commit(); }
     void cancel() { m_edit.drop(); }
     /// Whether a press there would take hold of something.
-    [[nodiscard]] bool reaches(QPointF position) const { return gripAt(position).has_value(); }
+    [[nodiscard]] bool reaches(QPointF position) const { return gripAt(position).id != 0; }
 
 private:
+    static constexpr int kNoEnd = -1;
     struct Grip
     {
-        model::Id id = 0;
-        std::optional<int> end = {}; ///< Of an axis; none: the outline or the body.
+        model::Id id = 0; ///< 0: nothing is held.
+        int end = kNoEnd; ///< Of an axis; none: the outline or the body.
     };
-    [[nodiscard]] std::optional<Grip> gripAt(QPointF position) const;
+    [[nodiscard]] Grip gripAt(QPointF position) const;
     [[nodiscard]] model::Id bodyAt(QPointF position) const; ///< 0 where none is before the skin.
     [[nodiscard]] HeadSight sight() const;
     [[nodiscard]] sim::Ellipsoid moved(const PointerSample& sample) const;

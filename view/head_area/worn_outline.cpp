@@ -36,9 +36,23 @@ glm::vec3 axisToEnd(const sim::Ellipsoid& shape, int end)
     return shape.rotation * own;
 }
 
-glm::vec3 axisEnd(const sim::Ellipsoid& shape, int end)
+std::vector<WornHandle> handlesOf(const model::Worn& worn, const HeadSight& sight)
 {
-    return shape.centreHd + axisToEnd(shape, end) * shape.semiAxesM[end / 2];
+    constexpr int kEnds = 6;
+    constexpr float kAcross = 0.5F; // Squared sine; of three axes at least two lie as much across the view.
+    const glm::vec3 eyeWo = sight.camera.eyeWo();
+    const glm::vec3 view = glm::normalize(inWorld(worn.shape.centreHd, sight.pose) - eyeWo);
+    std::vector<WornHandle> handles;
+    for (int end = 0; end < kEnds; ++end) {
+        const glm::vec3 axis = axisToEnd(worn.shape, end);
+        const float cosine = glm::dot(sight.pose.rotation * axis, view);
+        if (wornSpec(worn.kind).drawn() && 1.0F - cosine * cosine < kAcross)
+            continue;
+        const glm::vec3 endHd = worn.shape.centreHd + axis * worn.shape.semiAxesM[end / 2];
+        if (const auto at = project(sight.camera, inWorld(endHd, sight.pose), sight.size))
+            handles.push_back({.end = end, .at = *at});
+    }
+    return handles;
 }
 
 std::optional<float> entryAlong(const sim::RayHd& ray, const sim::Ellipsoid& shape)

@@ -1,6 +1,7 @@
 // Where the shape of a worn thing shows in the 3D area. Pure functions.
 #pragma once
 
+#include "model/project/worn.h"
 #include "sim/skin/ellipsoid.h"
 #include "sim/skin/skin.h"
 #include "view/head_area/head_camera.h"
@@ -18,12 +19,16 @@ struct HeadSight
     QSizeF size; ///< px
 };
 
-inline constexpr int kAxisEnds = 6;
-
 /// Where it is cut across each of its own axes through its centre; without those of which a part lies behind the eye.
 [[nodiscard]] std::vector<QPolygonF> outlinesOf(const sim::Ellipsoid& shape, const HeadSight& sight);
-/// An end of one of its axes (two for each, in their order), Hd.
-[[nodiscard]] glm::vec3 axisEnd(const sim::Ellipsoid& shape, int end);
+/// An end of an axis that can be pulled.
+struct WornHandle
+{
+    int end = 0; ///< Of one of the axes: two for each, in their order.
+    QPointF at;
+};
+/// Without ends behind the eye, and those before a body that is drawn, by which it is moved.
+[[nodiscard]] std::vector<WornHandle> handlesOf(const model::Worn& worn, const HeadSight& sight);
 /// Unit, from the centre to that end, Hd.
 [[nodiscard]] glm::vec3 axisToEnd(const sim::Ellipsoid& shape, int end);
 /// How far along the ray it enters the shape, m; none where it misses it or begins inside.
