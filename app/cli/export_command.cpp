@@ -311,7 +311,7 @@ ExitCode runExport(const QStringList& arguments)
     if (output.isEmpty())
         return ExitCode::Done;
     request->curves.groups = std::move(*groups);
-    request->colliders = model::contactShapes(project->worn);
+    request->worn = project->worn;
     request->skinColour = model::skinLook(project->skin).skin;
     if (const model::Result<void> written = exportShape(std::move(*project), wanted, *request, output); !written)
         return failed(written.error());

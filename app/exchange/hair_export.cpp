@@ -70,7 +70,7 @@ model::Result<void> exportChosen(const model::Project& project, const std::share
                                  const model::Progress& progress)
 {
     model::ExportRequest request = choice.request;
-    request.colliders = model::contactShapes(project.worn);
+    request.worn = project.worn;
     request.skinColour = model::skinLook(project.skin).skin;
     if (request.format->isAvatar) {
         const model::Checked<std::shared_ptr<const model::Avatar>> avatar =

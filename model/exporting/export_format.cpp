@@ -186,7 +186,7 @@ Result<void> exportHair(const std::shared_ptr<const sim::StrandFrame>& frame, co
         Q_ASSERT(!request.format->isAvatar || request.avatar != nullptr);
         if (request.format->isAvatar)
             settings.avatar = request.avatar;
-        settings.colliders = request.colliders;
+        settings.worn = request.worn;
         settings.skinColour = request.skinColour;
         return request.format->write(*curves, settings, path, part(kMeasured, 1.0));
     });

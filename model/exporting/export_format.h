@@ -71,9 +71,9 @@ struct ExportRequest
     const ExportTarget* target = nullptr;
     CurveOptions curves{};
     CardSettings cards{};
-    std::vector<sim::Ellipsoid> colliders{}; ///< See ExportSettings.
-    QRgb skinColour = 0xFF808080;            ///< Likewise.
-    std::shared_ptr<const Avatar> avatar{};  ///< There where the format is one of avatars.
+    std::vector<Worn> worn{};               ///< See ExportSettings.
+    QRgb skinColour = 0xFF808080;           ///< Likewise.
+    std::shared_ptr<const Avatar> avatar{}; ///< There where the format is one of avatars.
 };
 
 /// Atomic: nothing is written where it fails or `progress`, which never steps back, cancels. Any thread.
