@@ -2693,6 +2693,34 @@
         <source>Size collider</source>
         <translation>Cambiar tamaño del elipsoide de colisión</translation>
     </message>
+    <message>
+        <source>Pu&amp;t a ball here</source>
+        <translation>Po&amp;ner una bola aquí</translation>
+    </message>
+    <message>
+        <source>A bead where the pointer was last on the head, which hair does not enter; %1 at most</source>
+        <translation>Una cuenta donde estuvo el puntero por última vez sobre la cabeza, en la que el pelo no entra; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Take the ball o&amp;ff</source>
+        <translation>Q&amp;uitar la bola</translation>
+    </message>
+    <message>
+        <source>Add ball</source>
+        <translation>Añadir bola</translation>
+    </message>
+    <message>
+        <source>Remove ball</source>
+        <translation>Quitar bola</translation>
+    </message>
+    <message>
+        <source>Move ball</source>
+        <translation>Mover bola</translation>
+    </message>
+    <message>
+        <source>Size ball</source>
+        <translation>Cambiar tamaño de la bola</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::ClipCommands</name>

@@ -16,7 +16,7 @@ constexpr double kMeasured = 0.2;
 
 Result<void> addProject(ExportRequest& request, const Project& project, const QString& avatarName, const QString& path)
 {
-    request.colliders = contactShapes(project.worn);
+    request.worn = project.worn;
     request.skinColour = skinLook(project.skin).skin;
     if (!request.format->isAvatar)
         return {};
@@ -43,7 +43,7 @@ Result<void> exportHair(const std::shared_ptr<const sim::StrandFrame>& frame, co
         Q_ASSERT(!request.format->isAvatar || request.avatar != nullptr);
         if (request.format->isAvatar)
             settings.avatar = request.avatar;
-        settings.colliders = request.colliders;
+        settings.worn = request.worn;
         settings.skinColour = request.skinColour;
         return request.format->write(*curves, settings, path, part(kMeasured, 1.0));
     });

@@ -3,7 +3,7 @@
 
 #include "model/exporting/cards/card_settings.h"
 
-#include "sim/skin/ellipsoid.h"
+#include "model/project/worn.h"
 
 #include <QRgb>
 
@@ -35,11 +35,11 @@ struct ExportSpace
 struct ExportSettings
 {
     ExportSpace space;
-    bool groomColours = false;               ///< Its reader takes colours from Unreal's groom attributes alone.
-    CardSettings cards{};                    ///< For formats that make some;
-    std::vector<sim::Ellipsoid> colliders{}; ///< that stand for the head where those swing.
-    QRgb skinColour = 0xFF808080;            ///< Of the head beside them.
-    std::shared_ptr<const Avatar> avatar{};  ///< Whose body that head is part of, for formats of avatars.
+    bool groomColours = false;              ///< Its reader takes colours from Unreal's groom attributes alone.
+    CardSettings cards{};                   ///< For formats that make some;
+    std::vector<Worn> worn{};               ///< what keeps them out where they swing, and goes with the head.
+    QRgb skinColour = 0xFF808080;           ///< Of the head beside them.
+    std::shared_ptr<const Avatar> avatar{}; ///< Whose body that head is part of, for formats of avatars.
 };
 
 } // namespace hairpaint::model

@@ -5,10 +5,50 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace hairpaint::model {
 
 namespace {
+
+/// An octahedron whose faces are divided and blown up: square roots alone, so that pictures are the same everywhere.
+std::shared_ptr<const sim::HeadMesh> madeBall()
+{
+    constexpr int kSteps = 16; // Along an edge of the octahedron.
+    auto mesh = std::make_shared<sim::HeadMesh>();
+    for (unsigned octant = 0; octant < 8; ++octant) {
+        const glm::vec3 side((octant & 1U) != 0 ? -1 : 1, (octant & 2U) != 0 ? -1 : 1, (octant & 4U) != 0 ? -1 : 1);
+        const bool isMirrored = side.x * side.y * side.z < 0.0F;
+        const auto first = static_cast<int>(mesh->positionsHd.size());
+        for (int row = 0; row <= kSteps; ++row)
+            for (int i = 0; i <= kSteps - row; ++i) {
+                const glm::vec3 flat = side * glm::vec3(kSteps - row - i, i, row);
+                mesh->positionsHd.push_back(flat / std::sqrt(glm::dot(flat, flat)));
+                mesh->uvs.push_back(glm::vec2(i, row) / static_cast<float>(kSteps));
+            }
+        const auto add = [&](glm::ivec2 a, glm::ivec2 b, glm::ivec2 c) {
+            const auto at = [first](glm::ivec2 corner) { // Row and number in it.
+                const int row = corner.x;
+                return static_cast<unsigned>(first + row * (kSteps + 1) - row * (row - 1) / 2 + corner.y);
+            };
+            mesh->triangles.emplace_back(at(a), at(isMirrored ? c : b), at(isMirrored ? b : c));
+        };
+        for (int row = 0; row < kSteps; ++row)
+            for (int i = 0; i < kSteps - row; ++i) {
+                add({row, i}, {row, i + 1}, {row + 1, i});
+                if (i + 1 < kSteps - row)
+                    add({row, i + 1}, {row + 1, i + 1}, {row + 1, i});
+            }
+    }
+    mesh->normalsHd = mesh->positionsHd;
+    return mesh;
+}
+
+std::shared_ptr<const sim::HeadMesh> unitBall()
+{
+    static const std::shared_ptr<const sim::HeadMesh> ball = madeBall();
+    return ball;
+}
 
 constexpr std::array kWornSpecs = {
     WornSpec{.kind = WornKind::Ellipsoid,
@@ -35,6 +75,29 @@ constexpr std::array kWornSpecs = {
              .collides = true,
              .mesh = nullptr,
              .sheen = 0.0F},
+    WornSpec{.kind = WornKind::Ball,
+             .id = "ball",
+             .ownArray = nullptr,
+             .action = "Ball",
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "Pu&t a ball here"),
+             .addHint = QT_TRANSLATE_NOOP("Worn", "A bead where the pointer was last on the head, which hair does not "
+                                                  "enter; %1 at most"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the ball o&ff"),
+             .addStep = QT_TRANSLATE_NOOP("Worn", "Add ball"),
+             .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove ball"),
+             .moveStep = QT_TRANSLATE_NOOP("Worn", "Move ball"),
+             .sizeStep = QT_TRANSLATE_NOOP("Worn", "Size ball"),
+             .limit = 32,
+             .radiusM = 0.01F,
+             .liftRadii = 1.0F, // Touches the skin.
+             .colour = 0xFFC8402E,
+             .leastRadiusM = 0.002F,
+             .greatestRadiusM = 0.1F,
+             .handles = WornHandles::Radius,
+             .ofHead = false,
+             .collides = true,
+             .mesh = unitBall,
+             .sheen = 1.0F},
 };
 
 template<typename Wanted>

@@ -18,7 +18,8 @@ namespace hairpaint::model {
 
 enum class WornKind : std::uint8_t
 {
-    Ellipsoid ///< Stands for a part of the head in collisions.
+    Ellipsoid, ///< Stands for a part of the head in collisions.
+    Ball       ///< A bead.
 };
 
 struct Worn

@@ -58,7 +58,7 @@ private:
                                                  .target = &exportTargets().front(),
                                                  .curves = test::allOf(*frame),
                                                  .cards = {.triangles = 1'000, .atlasPx = 1024, .levels = 3},
-                                                 .colliders = {{.centreHd = {0.0F, 1.6F, 0.0F}}},
+                                                 .worn = {{.shape = {.centreHd = {0.0F, 1.6F, 0.0F}}}},
                                                  .avatar = avatar},
                                                 path);
         return written ? test::jsonOf(test::readBytes(path)) : QJsonObject{};

@@ -1,16 +1,24 @@
 // What is worn: one list with ids, undone, kept in files, and read by contact.
 #include "model/document/commands.h"
+#include "model/exporting/export_format.h"
 #include "model/files/head_file.h"
 #include "model/files/project_json.h"
+#include "sim/skin/mesh_openings.h"
 #include "sim/solver/collider_set.h"
+#include "tests/model/archive_maker.h"
+#include "tests/model/exported_hair.h"
 #include "tests/model/fixtures.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/glb_json.h"
 #include "tests/support/test_program.h"
 
 #include <QJsonDocument>
+#include <QTemporaryDir>
 #include <QUndoStack>
 #include <QtTest>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 using namespace hairpaint;
@@ -83,6 +91,71 @@ private Q_SLOTS:
         for (const WornSpec& spec : wornSpecs())
             colliding += spec.collides ? spec.limit : 0;
         QVERIFY(colliding <= std::size_t{sim::kMaxColliders}); // Contact reads no more.
+    }
+
+    /// Renderers cull its back and scale it.
+    void whatIsDrawnHasAClosedMeshInTheUnitBall()
+    {
+        for (const WornSpec& spec : wornSpecs()) {
+            if (!spec.drawn())
+                continue;
+            const std::shared_ptr<const sim::HeadMesh> mesh = spec.mesh();
+            QVERIFY(mesh == spec.mesh()); // Made once, so that it is uploaded once.
+            QVERIFY(sim::openEdges(*mesh).empty());
+            QVERIFY(mesh->normalsHd.size() == mesh->positionsHd.size() && mesh->uvs.size() == mesh->positionsHd.size());
+            for (const glm::vec3& position : mesh->positionsHd)
+                QVERIFY(glm::length(position) < 1.0001F);
+            for (const glm::uvec3& triangle : mesh->triangles) {
+                const glm::vec3& a = mesh->positionsHd[triangle.x];
+                const glm::vec3 across =
+                    glm::cross(mesh->positionsHd[triangle.y] - a, mesh->positionsHd[triangle.z] - a);
+                QVERIFY(glm::dot(across, mesh->normalsHd[triangle.x]) > 0.0F); // Counter-clockwise from outside.
+            }
+        }
+    }
+
+    void whatIsDrawnGoesOutWithTheHead_data()
+    {
+        QTest::addColumn<bool>("withHead");
+        QTest::newRow("with the head") << true;
+        QTest::newRow("hair alone") << false;
+    }
+    void whatIsDrawnGoesOutWithTheHead()
+    {
+        QFETCH(bool, withHead);
+        const Project project = wearingAll();
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("hair.glb"));
+        const auto frame = test::frameOf({test::hairGroup(1, 20'000, 65535, 0)});
+        const Result<void> written =
+            exportHair(frame,
+                       {.format = &cardFormat(),
+                        .target = findExportTarget(QLatin1StringView("any")),
+                        .curves = test::allOf(*frame),
+                        .cards = {.triangles = 1000, .atlasPx = test::kTinyAtlasPx, .withHead = withHead},
+                        .worn = project.worn},
+                       path);
+        QVERIFY2(written, written ? "" : qPrintable(written.error().message));
+        const QJsonObject json = test::jsonOf(test::readBytes(path));
+        const QJsonArray meshes = json[QLatin1String("meshes")].toArray();
+        for (const Worn& worn : project.worn) {
+            const WornSpec& spec = wornSpec(worn.kind);
+            const QString name = QStringLiteral("Worn %1 %2").arg(QLatin1StringView(spec.id)).arg(worn.id);
+            const auto mesh = std::ranges::find_if(
+                meshes, [&name](const QJsonValue& one) { return one[QLatin1String("name")].toString() == name; });
+            QCOMPARE(mesh != meshes.end(), withHead && spec.drawn());
+            if (mesh == meshes.end())
+                continue;
+            const QJsonValue attributes = (*mesh)[QLatin1String("primitives")][0][QLatin1String("attributes")];
+            const QJsonValue positions =
+                json[QLatin1String("accessors")][attributes[QLatin1String("POSITION")].toInt()];
+            for (int axis = 0; axis < 3; ++axis) {
+                const double centre = static_cast<double>(worn.shape.centreHd[axis]);
+                const double radius = static_cast<double>(worn.shape.semiAxesM.x);
+                QVERIFY(std::abs(positions[QLatin1String("min")][axis].toDouble() - centre + radius) < 1e-4);
+                QVERIFY(std::abs(positions[QLatin1String("max")][axis].toDouble() - centre - radius) < 1e-4);
+            }
+        }
     }
 
     void itIsAddedAndRemovedByItsIdAndUndone_data() { forEveryKind(); }

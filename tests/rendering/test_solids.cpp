@@ -82,6 +82,8 @@ private Q_SLOTS:
     {
         Scene scene = headScene();
         scene.background = glm::vec3(0.0F, 0.0F, 1.0F);
+        scene.skin.colour = scene.skin.lips = scene.skin.lids = glm::vec3(0.3F, 0.2F, 0.02F);
+        scene.skin.sheen = 0.0F;
         scene.solids = {redSolid({0.08F, 0.0F, -0.05F}, glm::vec3(0.04F))};
         for (const Picture& picture : drawnByBoth(scene))
             for (int x = kWidth / 2; x < kWidth / 2 + 36; ++x)

@@ -150,6 +150,82 @@ private Q_SLOTS:
             f.area.addWorn(model::WornKind::Ellipsoid);
         QCOMPARE(f.all().size(), model::wornSpec(model::WornKind::Ellipsoid).limit); // A file holds no more.
     }
+
+    void aBodyIsGrippedWhereItIsSeen()
+    {
+        WornFixture f;
+        f.editor.state.options().setCollidersShown(false);
+        const glm::vec3 before(0.03F, 0.02F, kBallM + 0.01F);
+        const glm::vec3 behind(-0.03F, 0.02F, -kBallM - 0.01F);
+        const model::Id ball = f.add(model::WornKind::Ball, {.centreHd = before, .semiAxesM = glm::vec3(0.015F)});
+        f.add(model::WornKind::Ball, {.centreHd = behind, .semiAxesM = glm::vec3(0.015F)});
+        const std::vector<model::Worn> all = f.all();
+        const auto shapeOf = [&](model::Id id) { return f.editor.document.project().wornThing(id)->shape; };
+        const QPoint at = f.shown(before).toPoint();
+        f.drag(at, at + QPoint(25, -10));
+        QCOMPARE(f.editor.state.options().chosenWorn(), ball);
+        const QPointF moved = f.shown(shapeOf(ball).centreHd) - f.shown(before);
+        QVERIFY(std::abs(moved.x() - 25.0) < 1.0 && std::abs(moved.y() + 10.0) < 1.0);
+        QCOMPARE(f.stack().count(), 1);
+        QCOMPARE(f.stack().text(0), QStringLiteral("Move ball"));
+        // Chosen it is moved by its middle, too: no handle lies there.
+        const QPoint middle = f.shown(shapeOf(ball).centreHd).toPoint();
+        f.drag(middle, middle + QPoint(-5, 0));
+        QCOMPARE(f.stack().text(1), QStringLiteral("Move ball"));
+        f.editor.document.undo();
+        QVERIFY(f.editor.document.groomInput().colliders == contactShapes(f.all()));
+        f.editor.document.undo();
+        QVERIFY(f.all() == all);
+        // The skin is nearer than the other one: the tool paints.
+        const QPoint hidden = f.shown(behind).toPoint();
+        f.drag(hidden, hidden + QPoint(6, 6));
+        QVERIFY(f.all() == all);
+        QVERIFY(f.stack().text(0).startsWith(QStringLiteral("Brush")));
+        QCOMPARE(f.editor.state.options().chosenWorn(), 0); // Let go of by the press.
+    }
+
+    void aBallStaysRoundByItsHandles()
+    {
+        WornFixture f;
+        f.editor.state.options().setCollidersShown(false);
+        const auto* overlay = f.area.findChild<view::HeadOverlay*>();
+        QVERIFY(overlay->wornOutlines().empty());
+        const glm::vec3 centre(0.0F, 0.0F, kBallM + 0.01F);
+        const model::Id ball = f.add(model::WornKind::Ball, {.centreHd = centre, .semiAxesM = glm::vec3(0.02F)});
+        QTest::mouseClick(&f.area, Qt::LeftButton, {}, f.shown(centre).toPoint());
+        QCOMPARE(f.editor.state.options().chosenWorn(), ball);
+        QCOMPARE(overlay->wornOutlines().size(), std::size_t{3}); // Of the chosen one alone.
+        const QPoint top = f.shown(centre + 0.02F * kUp).toPoint();
+        f.drag(top, top - QPoint(0, 20));
+        const sim::Ellipsoid shape = f.editor.document.project().wornThing(ball)->shape;
+        QVERIFY(shape.semiAxesM.y > 0.025F && shape.semiAxesM == glm::vec3(shape.semiAxesM.y));
+        QVERIFY(shape.centreHd == centre);
+        QCOMPARE(f.stack().text(0), QStringLiteral("Size ball"));
+        f.area.removeWorn();
+        QVERIFY(f.editor.document.project().wornThing(ball) == nullptr);
+        QVERIFY(overlay->wornOutlines().empty());
+        QCOMPARE(f.stack().text(1), QStringLiteral("Remove ball"));
+    }
+
+    void aBallIsPutOnTheSkinAndDrawn()
+    {
+        WornFixture f;
+        f.editor.state.options().setCollidersShown(false);
+        const QPoint place = kMiddle + QPoint(30, 10);
+        QTest::mouseMove(&f.area, place);
+        f.area.addWorn(model::WornKind::Ball);
+        const model::Worn ball = f.all().back();
+        QCOMPARE(ball.kind, model::WornKind::Ball);
+        QCOMPARE(f.editor.state.options().chosenWorn(), ball.id);
+        QVERIFY(!f.editor.state.options().collidersShown());
+        QVERIFY(std::abs(glm::length(ball.shape.centreHd) - kBallM - ball.shape.semiAxesM.x) < 1e-3F);
+        const std::vector<rendering::Solid> solids = f.area.pictureScene().solids;
+        QCOMPARE(solids.size(), std::size_t{1});
+        QVERIFY(solids.front().shape == ball.shape && solids.front().mesh != nullptr);
+        const QImage picture = f.area.grabPicture({480, 400});
+        const QColor pixel = picture.pixelColor(f.shown(ball.shape.centreHd).toPoint());
+        QVERIFY2(pixel.red() > pixel.blue() + 40, qPrintable(pixel.name()));
+    }
 };
 
 HAIRPAINT_TEST(TestWornDrag, Widgets)

@@ -61,20 +61,16 @@ public:
     /// `bones`: one a vertex, or none where nothing holds it. `skin`: whose joints these are.
     void addHead(const PlacedHead& head, QRgb colour, const std::vector<BoneWeights>& bones, int skin)
     {
-        const int view = m_buffer.addView(head.vertices.data(), head.vertices.size() * sizeof(HeadVertexOut),
-                                          GlbBuffer::kVertices, static_cast<int>(sizeof(HeadVertexOut)));
-        const auto attribute = [&](std::size_t offset, const char* type) {
-            return GlbBuffer::accessor(view, offset, GlbBuffer::kFloats, head.vertices.size(), type);
-        };
-        QJsonObject attributes{
-            {QStringLiteral("POSITION"),
-             m_buffer.addAccessor(withBounds(attribute(offsetof(HeadVertexOut, position), "VEC3"), head.vertices))},
-            {QStringLiteral("NORMAL"), m_buffer.addAccessor(attribute(offsetof(HeadVertexOut, normal), "VEC3"))},
-            {QStringLiteral("TEXCOORD_0"), m_buffer.addAccessor(attribute(offsetof(HeadVertexOut, uv), "VEC2"))}};
-        addWeights(bones, attributes);
-        m_materials.append(skinMaterial(colour));
-        m_sceneNodes.append(static_cast<int>(m_nodes.size()));
-        addNode(QStringLiteral("Head mesh"), attributes, head.indices, static_cast<int>(m_materials.size()) - 1, skin);
+        constexpr double kRoughness = 0.6;
+        addBody(QStringLiteral("Head mesh"), head, material(QStringLiteral("Skin"), colour, kRoughness), bones, skin);
+    }
+
+    /// With the head, in the first skin.
+    void addWorn(const PlacedHead& placed, const Worn& worn, const std::vector<BoneWeights>& bones)
+    {
+        constexpr double kRoughness = 0.3;
+        const QString name = QStringLiteral("Worn %1 %2").arg(QLatin1StringView(wornSpec(worn.kind).id)).arg(worn.id);
+        addBody(name, placed, material(name, worn.colour, kRoughness), bones, 0);
     }
 
     /// The chains hang from a joint that is made for them.
@@ -102,7 +98,7 @@ public:
         if (cards.bones) {
             const BoneRoot root{.node = made.headNode,
                                 .place = body.places[static_cast<std::size_t>(made.headNode - first)]};
-            addChains(boneGlb(curves, placedChains(cards.bones->chains, frame), settings.colliders,
+            addChains(boneGlb(curves, placedChains(cards.bones->chains, frame), contactShapes(settings.worn),
                               {.rotation = body.turn}, root, static_cast<int>(m_nodes.size())),
                       made.headNode);
         }
@@ -175,6 +171,24 @@ public:
     }
 
 private:
+    void addBody(const QString& name, const PlacedHead& mesh, const QJsonObject& material,
+                 const std::vector<BoneWeights>& bones, int skin)
+    {
+        const int view = m_buffer.addView(mesh.vertices.data(), mesh.vertices.size() * sizeof(HeadVertexOut),
+                                          GlbBuffer::kVertices, static_cast<int>(sizeof(HeadVertexOut)));
+        const auto attribute = [&](std::size_t offset, const char* type) {
+            return GlbBuffer::accessor(view, offset, GlbBuffer::kFloats, mesh.vertices.size(), type);
+        };
+        QJsonObject attributes{
+            {QStringLiteral("POSITION"),
+             m_buffer.addAccessor(withBounds(attribute(offsetof(HeadVertexOut, position), "VEC3"), mesh.vertices))},
+            {QStringLiteral("NORMAL"), m_buffer.addAccessor(attribute(offsetof(HeadVertexOut, normal), "VEC3"))},
+            {QStringLiteral("TEXCOORD_0"), m_buffer.addAccessor(attribute(offsetof(HeadVertexOut, uv), "VEC2"))}};
+        addWeights(bones, attributes);
+        m_materials.append(material);
+        m_sceneNodes.append(static_cast<int>(m_nodes.size()));
+        addNode(name, attributes, mesh.indices, static_cast<int>(m_materials.size()) - 1, skin);
+    }
     void addSkin(const QString& name, const QJsonArray& joints, const std::vector<glm::mat4>& inverseBind)
     {
         const int view = m_buffer.addView(inverseBind.data(), inverseBind.size() * sizeof(glm::mat4));
@@ -256,16 +270,15 @@ private:
             node.insert(QStringLiteral("skin"), skin);
         m_nodes.append(node);
     }
-    [[nodiscard]] static QJsonObject skinMaterial(QRgb colour)
+    [[nodiscard]] static QJsonObject material(const QString& name, QRgb colour, double roughness)
     {
-        constexpr double kRoughness = 0.6;
         const auto linear = [](int value) { return linearFromSrgb(static_cast<float>(value) / 255.0F); };
         QJsonArray factor = jsonNumbers({linear(qRed(colour)), linear(qGreen(colour)), linear(qBlue(colour))});
         factor.append(1.0);
-        return {{QStringLiteral("name"), QStringLiteral("Skin")},
+        return {{QStringLiteral("name"), name},
                 {QStringLiteral("pbrMetallicRoughness"), QJsonObject{{QStringLiteral("baseColorFactor"), factor},
                                                                      {QStringLiteral("metallicFactor"), 0.0},
-                                                                     {QStringLiteral("roughnessFactor"), kRoughness}}}};
+                                                                     {QStringLiteral("roughnessFactor"), roughness}}}};
     }
 
     GlbBuffer m_buffer;
@@ -305,11 +318,17 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
                !head.indices.empty()) {
         const std::size_t held = cards.bones ? head.vertices.size() : 0;
         glb.addHead(head, settings.skinColour, std::vector<BoneWeights>(held), 0);
+        for (const Worn& worn : settings.worn) {
+            if (!wornSpec(worn.kind).drawn())
+                continue;
+            const PlacedHead placed = placedWorn(curves, worn);
+            glb.addWorn(placed, worn, std::vector<BoneWeights>(cards.bones ? placed.vertices.size() : 0));
+        }
     }
     if (cards.patches.empty())
         return glb.finish();
     if (cards.bones && avatar == nullptr)
-        glb.addBones(curves, *cards.bones, settings.colliders);
+        glb.addBones(curves, *cards.bones, contactShapes(settings.worn));
     for (std::size_t i = 0; i < pngs.size(); ++i)
         if (cardImageKinds()[i].embedded)
             glb.addImage(QString::fromLatin1(cardImageKinds()[i].name), pngs[i]);

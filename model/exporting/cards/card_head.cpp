@@ -1,4 +1,4 @@
-// Places the head's vertices as head.vert does.
+// Places vertices of the head and of what is worn as head.vert does.
 #include "model/exporting/cards/card_head.h"
 
 #include "model/exporting/unit_vectors.h"
@@ -25,11 +25,11 @@ PlacedHead plainHead(const sim::HeadMesh& mesh)
     return head;
 }
 
-PlacedHead placedHead(const CurveSet& set)
+namespace {
+
+/// From Hd to Wo.
+void hold(PlacedHead& head, const CurveSet& set)
 {
-    if (set.skin() == nullptr)
-        return {};
-    PlacedHead head = plainHead(set.skin()->mesh());
     const sim::HeadPose& pose = set.pose();
     const sim::NeckTurn neck = sim::neckTurn(set.neck(), pose);
     const glm::quat whole(neck.turn[3], neck.turn[0], neck.turn[1], neck.turn[2]);
@@ -43,7 +43,30 @@ PlacedHead placedHead(const CurveSet& set)
         vertex.position = pose.rotation * (back * (hd - pivotHd) + pivotHd) + pose.positionWo;
         vertex.normal = pose.rotation * (back * vertex.normal);
     }
+}
+
+} // namespace
+
+PlacedHead placedHead(const CurveSet& set)
+{
+    if (set.skin() == nullptr)
+        return {};
+    PlacedHead head = plainHead(set.skin()->mesh());
+    hold(head, set);
     return head;
+}
+
+PlacedHead placedWorn(const CurveSet& set, const Worn& worn)
+{
+    PlacedHead placed = plainHead(*wornSpec(worn.kind).mesh());
+    const sim::Ellipsoid& shape = worn.shape;
+    const glm::quat rotation = glm::normalize(shape.rotation);
+    for (HeadVertexOut& vertex : placed.vertices) {
+        vertex.position = shape.centreHd + rotation * (vertex.position * shape.semiAxesM);
+        vertex.normal = rotation * glm::normalize(vertex.normal / shape.semiAxesM);
+    }
+    hold(placed, set);
+    return placed;
 }
 
 } // namespace hairpaint::model

@@ -1,7 +1,8 @@
-// The head beside its cards.
+// The head beside its cards, and what is worn on it.
 #pragma once
 
 #include "model/exporting/curve_set.h"
+#include "model/project/worn.h"
 
 #include <cstdint>
 #include <vector>
@@ -27,5 +28,7 @@ struct PlacedHead
 [[nodiscard]] PlacedHead plainHead(const sim::HeadMesh& mesh);
 /// The mesh that the hair stands on, Wo, as it is held and its neck turned; empty where no group has roots.
 [[nodiscard]] PlacedHead placedHead(const CurveSet& set);
+/// A thing of a kind that is drawn, Wo, as it goes with the head.
+[[nodiscard]] PlacedHead placedWorn(const CurveSet& set, const Worn& worn);
 
 } // namespace hairpaint::model
