@@ -10,14 +10,6 @@
 
 namespace hairpaint::model {
 
-/// What changing a setting makes anew.
-enum class Affects
-{
-    Hairs,   ///< The strands themselves are evaluated again.
-    Physics, ///< How they move.
-    Look     ///< How they are drawn; no strand is touched.
-};
-
 /// Where the panel shows it.
 enum class SettingSection
 {
@@ -28,9 +20,7 @@ enum class SettingSection
     Look
 };
 
-using SettingMember = std::variant<float sim::GroupSettings::*, int sim::GroupSettings::*, bool sim::GroupSettings::*,
-                                   sim::TurnsMode sim::GroupSettings::*, float sim::VariationSettings::*,
-                                   float sim::PhysicsSettings::*, float sim::StrandMaterial::*>;
+using sim::SettingMember;
 
 /// A value of a setting that is one of a few.
 struct SettingChoice
@@ -39,13 +29,12 @@ struct SettingChoice
     const char* title; ///< To be translated in context "GroupSchema".
 };
 
-/// A row of the table. Numbers, switches (0 or 1) and choices (an index) are all read and written as a double, in SI
-/// units.
+/// A row of the table; what a setting affects, sim::affectsOf(member) tells. Numbers, switches (0 or 1) and choices (an
+/// index) are all read and written as a double, in SI units.
 struct GroupSetting
 {
     const char* key; ///< In files; "physics.friction" is the key friction of the object physics.
     SettingMember member;
-    Affects affects;
     SettingSection section;
     const char* label;                  ///< To be translated in context "GroupSchema", as are the following.
     const char* hint;                   ///< What the smallest and the greatest value mean.

@@ -144,7 +144,7 @@ private:
             return false;
         m_clump.clump[hair] = clump;
         m_clump.segmentM[hair] = m_laid[hair].style.lengthM / static_cast<float>(m_nodes - 1);
-        m_clump.basisSegmentM[hair] = m_inputs.basis.segmentLengths[basisIndex];
+        m_clump.basisSegmentM[hair] = m_inputs.basis[BasisQuantity::SegmentLength][basisIndex];
         m_laid[hair].basisRank = roots.rankOfSlot[basis];
         m_laid[hair].basisPhase = chanceOf(roots.seed, roots.rankOfSlot[basis]).phase;
         const float* from = m_inputs.basis.restPositions.data() + m_blocks.index(basisIndex, 0);

@@ -63,18 +63,41 @@ struct StrandChunk
 };
 inline constexpr std::uint32_t kNoCentre = 0xFFFFFFFFU;
 
+/// What a solved hair carries beside its rest shape, a number each. Whatever makes room for them, copies or compares
+/// them goes over all.
+enum class BasisQuantity : std::uint8_t
+{
+    SegmentLength, ///< m; never 0 for a real basis hair.
+    Gel,           ///< 0..1
+    Give,          ///< Fraction of its length by which a coil stretches or shortens; else 0.
+    Girth,         ///< m: half the thickness of the braid it is in; else 0.
+    Height,        ///< 0..1: height in the coat, times volumeM (see PhysicsSettings).
+    Count
+};
+inline constexpr auto kBasisQuantities = static_cast<std::size_t>(BasisQuantity::Count);
+
 /// The solved hairs' own styles, in blocks of 16 in the order of RootSet::basisSlot, padded with zero length.
 struct BasisStyles
 {
-    std::vector<float> restPositions;  ///< [blocks][nodes][3][kLanes]
-    std::vector<float> segmentLengths; ///< [blocks][kLanes]; never 0 for a real basis hair.
-    std::vector<float> gel;            ///< [blocks][kLanes], 0..1
-    std::vector<float>
-        give; ///< [blocks][kLanes]: fraction of its length by which a coil stretches or shortens; else 0.
-    std::vector<float> girth;  ///< [blocks][kLanes], m: half the thickness of the braid it is in; else 0.
-    std::vector<float> height; ///< [blocks][kLanes], 0..1: height in the coat, times volumeM (see PhysicsSettings).
+    std::vector<float> restPositions;                         ///< [blocks][nodes][3][kLanes]
+    std::array<std::vector<float>, kBasisQuantities> numbers; ///< By BasisQuantity: [blocks][kLanes].
     std::vector<std::uint32_t> wanted; ///< [blocks]: bit per lane, whether the hair or a dependent of it is drawn.
+
+    /// Zeros, and no hair wanted.
+    void resize(int nodes, std::size_t blocks)
+    {
+        restPositions.assign(StrandBlocks(nodes).floatsFor(blocks), 0.0F);
+        for (std::vector<float>& lanes : numbers)
+            lanes.assign(blocks * kLanes, 0.0F);
+        wanted.assign(blocks, 0U);
+    }
     [[nodiscard]] std::size_t blockCount() const { return wanted.size(); }
+    /// [blocks][kLanes]
+    [[nodiscard]] std::vector<float>& operator[](BasisQuantity one) { return numbers[static_cast<std::size_t>(one)]; }
+    [[nodiscard]] const std::vector<float>& operator[](BasisQuantity one) const
+    {
+        return numbers[static_cast<std::size_t>(one)];
+    }
 };
 
 /// Where a slot is: chunk and index in it.

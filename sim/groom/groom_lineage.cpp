@@ -56,15 +56,15 @@ std::vector<std::int32_t> originsOf(const Groom& before, const Groom& after)
 StrandChange changeOf(const Groom& before, std::int32_t origin, const Groom& after, std::size_t index)
 {
     const BasisStyles& now = *after.basis;
-    if (!hasLane(now.wanted, index) || now.segmentLengths[index] <= 0.0F)
+    if (!hasLane(now.wanted, index) || now[BasisQuantity::SegmentLength][index] <= 0.0F)
         return StrandChange::Gone;
     const BasisStyles& old = *before.basis;
     const auto was = static_cast<std::size_t>(std::max(origin, 0));
-    if (origin == kNoOrigin || !hasLane(old.wanted, was) || old.segmentLengths[was] <= 0.0F)
+    if (origin == kNoOrigin || !hasLane(old.wanted, was) || old[BasisQuantity::SegmentLength][was] <= 0.0F)
         return StrandChange::Arrived;
-    bool same = now.segmentLengths[index] == old.segmentLengths[was] && now.gel[index] == old.gel[was] &&
-                now.give[index] == old.give[was] && now.girth[index] == old.girth[was] &&
-                now.height[index] == old.height[was];
+    bool same = true;
+    for (std::size_t k = 0; k < kBasisQuantities; ++k)
+        same = same && now.numbers[k][index] == old.numbers[k][was];
     for (std::size_t node = 0; node < static_cast<std::size_t>(after.nodes); ++node) {
         const glm::vec3 a = before.blocks().node(old.restPositions, was, node);
         const glm::vec3 b = after.blocks().node(now.restPositions, index, node);
@@ -78,12 +78,10 @@ StrandChange changeOf(const Groom& before, std::int32_t origin, const Groom& aft
 bool sameBlock(const BasisStyles& before, const BasisStyles& after, int nodes, std::size_t block)
 {
     const std::size_t floats = StrandBlocks(nodes).blockFloats();
+    for (std::size_t k = 0; k < kBasisQuantities; ++k)
+        if (!sameRange(before.numbers[k], after.numbers[k], block * kLanes, kLanes))
+            return false;
     return before.wanted[block] == after.wanted[block] &&
-           sameRange(before.segmentLengths, after.segmentLengths, block * kLanes, kLanes) &&
-           sameRange(before.gel, after.gel, block * kLanes, kLanes) &&
-           sameRange(before.give, after.give, block * kLanes, kLanes) &&
-           sameRange(before.girth, after.girth, block * kLanes, kLanes) &&
-           sameRange(before.height, after.height, block * kLanes, kLanes) &&
            sameRange(before.restPositions, after.restPositions, block * floats, floats);
 }
 

@@ -21,7 +21,7 @@ enum class StrandChange : std::uint8_t
 {
     None,
     Gone,    ///< Not wanted any more, or never was.
-    Shape,   ///< Same root, other rest shape, length, gel or height.
+    Shape,   ///< Same root, another rest shape or another BasisQuantity.
     Arrived, ///< Was not there, or stood elsewhere.
 };
 

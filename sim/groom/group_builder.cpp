@@ -20,19 +20,6 @@ namespace {
 constexpr float kShortestBasisM = 0.005F;        ///< A shorter one's displacement in units of its length means nothing.
 constexpr std::size_t kBasisGrain = kChunkSlots; ///< So that no two threads write to a chunk of PassedCells.
 
-/// Whether every hair must be evaluated anew. Density and basis hairs are in the roots; material is not in the hairs,
-/// and of physics only how thick the coat is.
-bool sameHairs(GroupSettings before, const GroupSettings& after)
-{
-    const float volumeM = before.physics.volumeM;
-    before.physics = after.physics;
-    before.physics.volumeM = volumeM;
-    before.material = after.material;
-    before.greatestDensityPerM2 = after.greatestDensityPerM2;
-    before.basisHairs = after.basisHairs;
-    return before == after;
-}
-
 GroupSettings withinLimits(GroupSettings settings)
 {
     settings.nodesPerHair = std::clamp(settings.nodesPerHair, kLeastNodes, kMostNodes);
@@ -57,19 +44,12 @@ std::optional<MapSampler> samplerOf(const MapRaster& raster)
 std::shared_ptr<BasisStyles> emptyBasis(const RootSet& roots, int nodes)
 {
     auto basis = std::make_shared<BasisStyles>();
-    const std::size_t blocks = blocksFor(roots.basisSlot.size());
-    basis->restPositions.resize(StrandBlocks(nodes).floatsFor(blocks));
-    basis->segmentLengths.resize(blocks * kLanes);
-    basis->gel.resize(blocks * kLanes);
-    basis->give.resize(blocks * kLanes);
-    basis->girth.resize(blocks * kLanes);
-    basis->height.resize(blocks * kLanes);
-    basis->wanted.resize(blocks);
+    basis->resize(nodes, blocksFor(roots.basisSlot.size()));
     float crownY = -std::numeric_limits<float>::max();
     for (const glm::vec3& position : roots.skin->mesh().positionsHd)
         crownY = std::max(crownY, position.y);
     for (std::size_t i = 0; i < roots.basisSlot.size(); ++i)
-        basis->height[i] = heightOf(roots, roots.basisSlot[i], crownY);
+        (*basis)[BasisQuantity::Height][i] = heightOf(roots, roots.basisSlot[i], crownY);
     return basis;
 }
 
@@ -79,8 +59,8 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
                                           const HeadLay& head, HairLimit limit)
 {
     const GroupSettings settings = withinLimits(input.settings);
-    const bool allDiffer =
-        !m_groom || roots != m_roots || !sameHairs(m_groom->settings, settings) || head.natural != m_head.natural;
+    const bool allDiffer = !m_groom || roots != m_roots || !sameFor(Affects::Hairs, m_groom->settings, settings) ||
+                           head.natural != m_head.natural;
     Result result{m_groom, SlotSet(roots->count())};
     if (!allDiffer && settings == m_groom->settings && input.maps == m_input.maps &&
         input.visible == m_groom->visible && limit == m_groom->limit)
@@ -250,18 +230,18 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
             if (!dirty.contains(slot))
                 continue;
             const float lengthM = std::max(basisLengthOf(i, settings, maps[MapSlot::Length]), kShortestBasisM);
-            basis.gel[i] = maps[MapSlot::Gel].scalar(roots.uv[slot]);
+            basis[BasisQuantity::Gel][i] = maps[MapSlot::Gel].scalar(roots.uv[slot]);
             const float curl = m_kinds[slot] == 0 ? maps[MapSlot::Curl].scalar(roots.uv[slot]) : 0.0F;
-            basis.give[i] =
+            basis[BasisQuantity::Give][i] =
                 curl > 0.0F
                     ? giveOf(coilOf(settings, curl, maps[MapSlot::CurlSize].scalar(roots.uv[slot]), lengthM), lengthM)
                     : 0.0F;
-            basis.girth[i] = braidGirthM(settings, static_cast<BraidKind>(m_kinds[slot]), lengthM);
+            basis[BasisQuantity::Girth][i] = braidGirthM(settings, static_cast<BraidKind>(m_kinds[slot]), lengthM);
             if (lengthM != m_basisLengthM[i]) {
                 m_basisLengthM[i] = lengthM;
                 m_basisChanged[i] = 1;
             }
-            basis.segmentLengths[i] = lengthM / static_cast<float>(nodeCount - 1);
+            basis[BasisQuantity::SegmentLength][i] = lengthM / static_cast<float>(nodeCount - 1);
             batch.add(layRootOf(roots, slot, chanceOf(roots.seed, roots.rankOfSlot[slot])), lengthM);
             added.push_back(i);
             if (batch.isFull())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 
 namespace hairpaint::sim {
 
@@ -72,5 +73,31 @@ struct GroupSettings
     StrandMaterial material;
     friend bool operator==(const GroupSettings&, const GroupSettings&) = default;
 };
+
+/// What changing a setting makes anew; more than one for some.
+enum class Affects : std::uint8_t
+{
+    Roots = 1,  ///< Where hairs stand, and which are solved.
+    Hairs = 2,  ///< The strands themselves: each is evaluated again.
+    Motion = 4, ///< The solver's constants.
+    Look = 8    ///< How they are drawn; no strand is touched.
+};
+[[nodiscard]] constexpr Affects operator|(Affects a, Affects b)
+{
+    return static_cast<Affects>(static_cast<std::uint8_t>(a) | static_cast<std::uint8_t>(b));
+}
+[[nodiscard]] constexpr bool affectsAny(Affects what, Affects asked)
+{
+    return (static_cast<std::uint8_t>(what) & static_cast<std::uint8_t>(asked)) != 0;
+}
+
+using SettingMember = std::variant<float GroupSettings::*, int GroupSettings::*, bool GroupSettings::*,
+                                   TurnsMode GroupSettings::*, float VariationSettings::*, float PhysicsSettings::*,
+                                   float StrandMaterial::*>;
+
+/// What a setting affects. Each has a row in group_settings.cpp.
+[[nodiscard]] Affects affectsOf(const SettingMember& setting);
+/// Whether the settings that affect any of `asked` are the same.
+[[nodiscard]] bool sameFor(Affects asked, const GroupSettings& a, const GroupSettings& b);
 
 } // namespace hairpaint::sim

@@ -90,7 +90,7 @@ bool Dependents::findChangedBasis(const Groom& groom, std::vector<std::uint8_t>&
     bool any = false;
     const auto last = static_cast<std::size_t>(groom.nodes - 1);
     for (std::size_t i = 0; i < count; ++i) {
-        const float lengthM = basis.segmentLengths[i] * static_cast<float>(last);
+        const float lengthM = basis[BasisQuantity::SegmentLength][i] * static_cast<float>(last);
         const float perLength = 1.0F / scaleOf(lengthM);
         const Lead lead = leadOf(groom, basis.restPositions, i, lengthM, perLength);
         changed[i] = lead == m_leads[i] ? 0 : 1;
@@ -218,7 +218,8 @@ void Dependents::layAlong(const Groom& groom, std::size_t index, std::size_t slo
     const StrandBlocks layout = groom.blocks();
     const glm::vec3 root = layout.node(styles.restPositions, slot, 0);
     const glm::vec3 basisRoot = layout.node(groom.basis->restPositions, basis, 0);
-    const float longer = styles.segmentLengths[slot] / std::max(groom.basis->segmentLengths[basis], 1e-6F);
+    const float longer =
+        styles.segmentLengths[slot] / std::max((*groom.basis)[BasisQuantity::SegmentLength][basis], 1e-6F);
     for (std::size_t node = 1; node < static_cast<std::size_t>(groom.nodes); ++node)
         layout.setNode(chunk.rest, slot, node,
                        root + (layout.node(groom.basis->restPositions, basis, node) - basisRoot) * longer);
@@ -264,7 +265,7 @@ void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, 
         float height = 0.0F;
         for (std::size_t k = 0; k < RootSet::kNeighbours; ++k)
             height += groom.roots->weights[firstSlot + slot][k] *
-                      groom.basis->height[groom.roots->neighbours[firstSlot + slot][k]];
+                      (*groom.basis)[BasisQuantity::Height][groom.roots->neighbours[firstSlot + slot][k]];
         std::array<glm::vec3, kMostNodes> rest;
         const std::span<glm::vec3> nodes = std::span(rest).first(static_cast<std::size_t>(groom.nodes));
         groom.blocks().read(styles.restPositions, slot, nodes);
@@ -291,7 +292,8 @@ void Dependents::findDisplacements(const Groom& groom, const StrandState& state,
         for (std::size_t block = begin; block < end; ++block) {
             const std::uint32_t wanted = basis.wanted[block];
             for (std::size_t lane = 0; lane < kLanes; ++lane) {
-                const float length = basis.segmentLengths[block * kLanes + lane] * static_cast<float>(nodes - 1);
+                const float length =
+                    basis[BasisQuantity::SegmentLength][block * kLanes + lane] * static_cast<float>(nodes - 1);
                 const bool solved = ((wanted >> lane) & 1U) != 0 && length > 0.0F;
                 const float stretch = state.field(block * kLanes + lane, kStretch);
                 const float perLength = solved ? 1.0F / scaleOf(length) : 0.0F;
@@ -328,7 +330,7 @@ void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const Rigi
         const std::size_t basisIndex = chunk.styles->braidCentre[slot];
         groom.blocks().read(chunk.styles->restPositions, slot, std::span(rest).first(nodes));
         groom.blocks().read(basis.restPositions, basisIndex, std::span(centre).first(nodes));
-        const float length = scaleOf(basis.segmentLengths[basisIndex] * static_cast<float>(nodes - 1));
+        const float length = scaleOf(basis[BasisQuantity::SegmentLength][basisIndex] * static_cast<float>(nodes - 1));
         const float* displacement = m_displacements.data() + basisIndex * nodes * kBasisFloats;
         for (std::size_t i = 0; i < nodes; ++i, displacement += kBasisFloats)
             centre[i] += glm::vec3(displacement[0], displacement[1], displacement[2]) * length;

@@ -73,8 +73,7 @@ void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderS
     const std::shared_ptr<const Groom> kept = std::exchange(m_groom, std::move(groom));
     const Groom& before = kept ? *kept : nothing();
     const bool otherColliders = !sameColliders(m_colliders, colliders);
-    const bool otherGains =
-        !kept || before.settings.physics != m_groom->settings.physics || before.nodes != m_groom->nodes;
+    const bool otherGains = !kept || !sameFor(Affects::Motion, before.settings, m_groom->settings);
     m_colliders = colliders;
     if (otherGains)
         m_gains = gainsOf(m_groom->settings.physics, m_groom->nodes);

@@ -95,12 +95,12 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
     const auto nodes = static_cast<std::size_t>(groom.nodes);
     groom.blocks().read(basis.restPositions, basisIndex, std::span(rest).first(nodes));
 
-    const float segment = basis.segmentLengths[basisIndex];
+    const float segment = basis[BasisQuantity::SegmentLength][basisIndex];
     const float hash = strandHash(groom, basisIndex);
     const glm::vec3 edge = rest[1] - rest[0];
     const float edge2 = glm::dot(edge, edge);
     const glm::vec3 lie = edge2 > 0.0F ? edge / std::sqrt(edge2) : glm::vec3(0.0F, 1.0F, 0.0F);
-    const float hold = holdGain(basis.gel[basisIndex]);
+    const float hold = holdGain(basis[BasisQuantity::Gel][basisIndex]);
 
     state.field(basisIndex, kSegmentLength) = segment;
     state.field(basisIndex, kInverseSquare) = segment > 0.0F ? 1.0F / (segment * segment) : 0.0F;
@@ -110,15 +110,15 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
     state.field(basisIndex, kLieX) = lie.x;
     state.field(basisIndex, kLieY) = lie.y;
     state.field(basisIndex, kLieZ) = lie.z;
-    const WindPhases phases = windPhases(rest[0], hash, basis.height[basisIndex]);
+    const WindPhases phases = windPhases(rest[0], hash, basis[BasisQuantity::Height][basisIndex]);
     state.field(basisIndex, kPhaseGust) = phases.gust;
     state.field(basisIndex, kPhaseA) = phases.a;
     state.field(basisIndex, kPhaseB) = phases.b;
     state.field(basisIndex, kExposure) = phases.exposure * physics.windScale;
     // Further out nothing is known of the skin.
     constexpr float kMostGirthM = DistanceGrid::kReachM - 0.5F * DistanceGrid::kCellM;
-    state.field(basisIndex, kGirth) = std::min(basis.girth[basisIndex], kMostGirthM);
-    state.field(basisIndex, kGive) = basis.give[basisIndex] / (1.0F + hold);
+    state.field(basisIndex, kGirth) = std::min(basis[BasisQuantity::Girth][basisIndex], kMostGirthM);
+    state.field(basisIndex, kGive) = basis[BasisQuantity::Give][basisIndex] / (1.0F + hold);
     state.field(basisIndex, kStretch) =
         std::clamp(state.field(basisIndex, kStretch), -state.field(basisIndex, kGive), state.field(basisIndex, kGive));
     // A held shape keeps out every node; hair that falls anyway only what stands at the root.
@@ -126,7 +126,7 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
         std::span(rest).first(hold > kHeldShape ? nodes : std::min<std::size_t>(nodes, 2));
     for (int c = 0; c < colliders.count; ++c) {
         const float scale = strandScale(colliders.items[static_cast<std::size_t>(c)], clear,
-                                        coatM(basis.height[basisIndex], physics.volumeM, segment));
+                                        coatM(basis[BasisQuantity::Height][basisIndex], physics.volumeM, segment));
         state.field(basisIndex, kScale + c) = scale * scale;
     }
 }

@@ -11,18 +11,16 @@
 #include "sim/solver/constraints/coil_inl.h"
 #include "sim/solver/constraints/fibre_damping_inl.h"
 #include "sim/solver/constraints/friction_inl.h"
+#include "sim/solver/constraints/head_following_inl.h"
 #include "sim/solver/constraints/inertia_inl.h"
 #include "sim/solver/constraints/length_inl.h"
-#include "sim/solver/constraints/neck_contact_inl.h"
+#include "sim/solver/constraints/obstacles_inl.h"
 #include "sim/solver/constraints/sleep_inl.h"
 #include "sim/solver/constraints/speed_limit_inl.h"
 #include "sim/solver/constraints/wind_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
-
-/// A node leaves a solid or the skin by at most this much in a step, m.
-constexpr float kFastestLeaveM = 0.02F;
 
 /// What a step's strands read and write. Every pointer is already at their block and lane.
 struct StrandRows
@@ -71,55 +69,6 @@ HWY_INLINE void predict(const GroupGains& gains, const StepForces& step, const S
     bending.substitute(rows.rest, rows.p);
 }
 
-/// A node and what it must stay out of.
-struct Obstacles
-{
-    const ColliderSet& colliders;
-    const NeckTurn& neck;
-    const float* HWY_RESTRICT lanes;
-    Lanes clearance; ///< From the skin, m.
-    bool first;      ///< Node of the strand.
-    Lanes3 parent;
-};
-
-/// Keeps a node outside every solid, and it and its segment outside the skin; true where any lane was inside one.
-/// `ofSkin`: the lanes that were inside the skin.
-HWY_INLINE bool collide(const Obstacles& obstacles, Lanes3& p, Contact& contact, Yes& ofSkin)
-{
-    const ColliderSet& colliders = obstacles.colliders;
-    bool touches = false;
-    for (int c = 0; c < colliders.count; ++c)
-        touches |= pushOut(colliders.items[static_cast<std::size_t>(c)], obstacles.neck,
-                           loaded(obstacles.lanes + (kScale + c) * kLanes), kFastestLeaveM, p, contact);
-    if (colliders.skin.pairs != nullptr &&
-        pushSegmentOutOfSkin(colliders.skin, obstacles.neck, obstacles.clearance, kFastestLeaveM, obstacles.first,
-                             obstacles.parent, p, contact)) {
-        ofSkin = contact.latest;
-        touches = true;
-    }
-    return touches;
-}
-
-/// The same for a node that was pushed out and then brought to its length: out of the skin again where it was in it,
-/// and of the solids where they are all there is.
-HWY_INLINE bool collideAgain(const Obstacles& obstacles, Lanes3& p, Contact& contact, Yes ofSkin)
-{
-    if (obstacles.colliders.skin.pairs == nullptr)
-        return collide(obstacles, p, contact, ofSkin);
-    if (!any(ofSkin))
-        return false;
-    return pushSegmentOutOfSkin(obstacles.colliders.skin, obstacles.neck,
-                                select(ofSkin, obstacles.clearance, -kUnwanted), kFastestLeaveM, obstacles.first,
-                                obstacles.parent, p, contact);
-}
-
-/// How far the strand's girth keeps a node from the skin, m.
-HWY_INLINE Lanes clearanceOf(const float* HWY_RESTRICT lanes, Lanes length, int node)
-{
-    const Lanes eased = length * (kGirthSlope * static_cast<float>(node));
-    return least(loaded(lanes + kGirth * kLanes), eased) + kSkinClearanceM;
-}
-
 /// One exact pass from root to tip: each node at its length, outside of what it touches, its velocity for the next
 /// step.
 HWY_INLINE Lanes3 placeNode(const GroupGains& gains, const ColliderSet& colliders, const StepForces& step,
@@ -143,9 +92,8 @@ HWY_INLINE Lanes3 placeNode(const GroupGains& gains, const ColliderSet& collider
 
     const Lanes3 onHead = p - start; // motion as the head sees it
     Lanes3 velocity = step.toNewHead.identity ? onHead : p - moved(step.toNewHead, start);
-    // Held shapes, and roots by the hair around them, go along with the head.
-    const Lanes keep = loaded(rows.lanes + kHoldKeep * kLanes) * gains.rootKeep[static_cast<std::size_t>(node)];
-    velocity = velocity - onHead * (1.0F - keep);
+    const Lanes keep = keptAgainstHead(gains, rows.lanes, node);
+    velocity = followingHead(velocity, onHead, keep);
     velocity = limited(sliding(contact, onHead, keep, velocity));
     p = select(moving, p, start);
     stored3(p, rows.next + offset);
@@ -153,6 +101,7 @@ HWY_INLINE Lanes3 placeNode(const GroupGains& gains, const ColliderSet& collider
     return p;
 }
 
+/// The step, from the last positions in rows.current to the next in rows.next.
 HWY_INLINE void stepStrands(const GroupGains& gains, const ColliderSet& colliders, const StepForces& step,
                             const StrandRows& rows)
 {

@@ -4,6 +4,8 @@
 #include "model/project/group_schema.h"
 #include "sim/groom/groom.h"
 #include "sim/groom/roots.h"
+#include "sim/solver/collider_set.h"
+#include "sim/solver/strand_constants.h"
 #include "tests/support/painted_ball.h"
 #include "tests/support/test_program.h"
 
@@ -14,7 +16,6 @@
 #include <utility>
 
 using namespace hairpaint;
-using model::Affects;
 using model::GroupSetting;
 
 namespace {
@@ -41,6 +42,21 @@ consteval std::size_t countMembers()
         return countMembers<Aggregate, count + 1>();
     else
         return count;
+}
+
+/// What the solver has of a group's hairs, for the same rest shapes.
+QByteArray solverConstants(const sim::Groom& groom, const sim::GroomInput& input)
+{
+    const sim::ColliderSet colliders = sim::prepareColliders(input.colliders);
+    const sim::GroupGains gains = sim::gainsOf(groom.settings.physics, groom.settings.nodesPerHair);
+    sim::StrandState state;
+    state.resize(groom.nodes, groom.basis->blockCount(), colliders.count);
+    for (std::size_t i = 0; i < groom.basisCount; ++i)
+        sim::setStrandConstants(state, groom, i, colliders);
+    const auto bytesOf = [](const void* data, std::size_t size) {
+        return QByteArray(static_cast<const char*>(data), static_cast<qsizetype>(size));
+    };
+    return bytesOf(&gains, sizeof(gains)) + bytesOf(state.lanes.data(), state.lanes.size() * sizeof(float));
 }
 
 /// How many members an aggregate has: it can be made from as many values, and no more.
@@ -112,8 +128,24 @@ private Q_SLOTS:
         QVERIFY(builder.update(input).rebuiltStrands > 0);
         row.write(input.groups.front().settings, otherValue(row));
         const sim::GroomBuilder::Report report = builder.update(input);
-        QCOMPARE(report.rebuiltStrands > 0, row.affects == Affects::Hairs);
+        QCOMPARE(report.rebuiltStrands > 0,
+                 sim::affectsAny(sim::affectsOf(row.member), sim::Affects::Roots | sim::Affects::Hairs));
         QVERIFY(report.grooms.front()->settings == input.groups.front().settings);
+    }
+
+    void motionIsAnotherJustWhereTheTableSaysSo_data() { addRows(); }
+    void motionIsAnotherJustWhereTheTableSaysSo()
+    {
+        QFETCH(int, index);
+        const GroupSetting& row = model::groupSchema()[static_cast<std::size_t>(index)];
+        static const sim::GroomInput input = test::paintedBall(500, 300);
+        static const std::shared_ptr<const sim::Groom> groom = sim::GroomBuilder().update(input).grooms.front();
+        sim::Groom other = *groom;
+        row.write(other.settings, otherValue(row));
+        QCOMPARE(solverConstants(other, input) != solverConstants(*groom, input),
+                 sim::affectsAny(sim::affectsOf(row.member), sim::Affects::Motion));
+        QCOMPARE(sim::sameFor(sim::Affects::Motion, other.settings, groom->settings),
+                 !sim::affectsAny(sim::affectsOf(row.member), sim::Affects::Motion));
     }
 
     void basisHairsAreShownForTheScalp_data()

@@ -28,11 +28,11 @@ inline const char* differenceOf(const sim::Groom& a, const sim::Groom& b)
         return "places of chunks";
     if (!sameBytes(a.basis->wanted, b.basis->wanted))
         return "wanted basis hairs";
-    if (!sameBytes(a.basis->restPositions, b.basis->restPositions) ||
-        !sameBytes(a.basis->segmentLengths, b.basis->segmentLengths) || !sameBytes(a.basis->gel, b.basis->gel) ||
-        !sameBytes(a.basis->give, b.basis->give) || !sameBytes(a.basis->girth, b.basis->girth) ||
-        !sameBytes(a.basis->height, b.basis->height))
+    if (!sameBytes(a.basis->restPositions, b.basis->restPositions))
         return "basis hairs";
+    for (std::size_t k = 0; k < sim::kBasisQuantities; ++k)
+        if (!sameBytes(a.basis->numbers[k], b.basis->numbers[k]))
+            return "quantities of basis hairs";
     for (std::size_t i = 0; i < a.chunks.size(); ++i) {
         if (!a.chunks[i] && !b.chunks[i])
             continue;

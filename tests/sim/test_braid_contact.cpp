@@ -81,15 +81,15 @@ void TestBraidContact::theGirthIsThatOfTheDrawnBraid()
     GroomInput input = inputOf(patch(), smallGroup());
     GroomBuilder builder;
     const auto free = builder.update(input).grooms.front();
-    QVERIFY(std::ranges::all_of(free->basis->girth, [](float girthM) { return girthM == 0.0F; }));
+    QVERIFY(std::ranges::all_of((*free->basis)[BasisQuantity::Girth], [](float girthM) { return girthM == 0.0F; }));
 
     auto& maps = input.groups[0].maps;
     maps[MapSlot::Braid] =
         withDab(maps[MapSlot::Braid], {0.4F, 0.6F}, 0.25F, {static_cast<std::uint16_t>(BraidKind::Plait)});
     const auto plait = builder.update(input).grooms.front();
-    const auto thickest = std::ranges::max(plait->basis->girth);
+    const auto thickest = std::ranges::max((*plait->basis)[BasisQuantity::Girth]);
     QVERIFY(thickest > 0.0F);
-    QVERIFY(std::ranges::min(plait->basis->girth) == 0.0F); // Hair beside it.
+    QVERIFY(std::ranges::min((*plait->basis)[BasisQuantity::Girth]) == 0.0F); // Hair beside it.
     for (std::uint32_t slot = 0; slot < plait->roots->count(); ++slot) {
         const StrandStyle style = plait->style(slot);
         if (style.braid != BraidKind::None)
@@ -98,7 +98,7 @@ void TestBraidContact::theGirthIsThatOfTheDrawnBraid()
 
     input.groups[0].settings.braidRadiusM *= 0.5F;
     const auto thin = builder.update(input).grooms.front();
-    QCOMPARE(std::ranges::max(thin->basis->girth), thickest * 0.5F);
+    QCOMPARE(std::ranges::max((*thin->basis)[BasisQuantity::Girth]), thickest * 0.5F);
 }
 
 HAIRPAINT_TEST(TestBraidContact, None)

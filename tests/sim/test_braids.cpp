@@ -133,7 +133,7 @@ void TestBraids::allHairsOfABraidShareItsSkeleton()
     QVERIFY(!braids.empty());
     for (const auto& [centre, slots] : braids) {
         const std::uint32_t centreSlot = groom->roots->basisSlot[centre];
-        const float centreLengthM = groom->basis->segmentLengths[centre] * 7.0F;
+        const float centreLengthM = (*groom->basis)[BasisQuantity::SegmentLength][centre] * 7.0F;
         const float aboveM = braidBeginsAboveM(input.groups[0].settings, BraidKind::Plait, centreLengthM);
         for (const std::uint32_t slot : slots) {
             const StrandStyle& style = groom->style(slot);

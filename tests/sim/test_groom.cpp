@@ -238,10 +238,11 @@ void TestGroom::basisHairsHaveStylesOfTheirOwn()
                 rightmost = std::max(rightmost, groom->roots->uv[slot].x);
         if (std::abs(rightmost - 0.5F) > 0.01F) {
             leadsAcross += left && rightmost > 0.5F ? 1 : 0;
-            QVERIFY(std::abs(basis.segmentLengths[i] * 7.0F - (rightmost < 0.5F ? 0.005F : 0.3F)) < 1e-5F);
+            QVERIFY(std::abs(basis[BasisQuantity::SegmentLength][i] * 7.0F - (rightmost < 0.5F ? 0.005F : 0.3F)) <
+                    1e-5F);
         }
-        QVERIFY(std::abs(basis.gel[i] - (left ? 0.25F : 0.75F)) < 1e-4F);
-        QVERIFY(basis.height[i] >= 0.0F && basis.height[i] <= 1.0F);
+        QVERIFY(std::abs(basis[BasisQuantity::Gel][i] - (left ? 0.25F : 0.75F)) < 1e-4F);
+        QVERIFY(basis[BasisQuantity::Height][i] >= 0.0F && basis[BasisQuantity::Height][i] <= 1.0F);
         const glm::vec3 root = groom->roots->positionHd[groom->roots->basisSlot[i]];
         QCOMPARE(StrandBlocks(8).node(basis.restPositions, i, 0), root);
     }

@@ -237,7 +237,7 @@ void TestGroomUpdates::whatOnlyBasisHairsReadRebuildsNoStrand()
     const auto report = builder.update(input);
     QCOMPARE(report.rebuiltStrands, std::size_t{0});
     QVERIFY(report.grooms[0]->chunks == before->chunks);
-    QVERIFY(report.grooms[0]->basis->gel != before->basis->gel);
+    QVERIFY((*report.grooms[0]->basis)[BasisQuantity::Gel] != (*before->basis)[BasisQuantity::Gel]);
     verifySame(*report.grooms[0], *GroomBuilder().update(input).grooms[0], QStringLiteral("gel"));
 }
 

@@ -108,7 +108,7 @@ void TestSimulationWorker::theLatestInputWins()
     }
     const auto shows = [&](const StrandFrame& frame) {
         return hasHair(frame) &&
-               std::abs(frame.groups.front().groom->basis->segmentLengths.front() -
+               std::abs((*frame.groups.front().groom->basis)[BasisQuantity::SegmentLength].front() -
                         0.2F * 48000.0F / 65535.0F / static_cast<float>(frame.groups.front().groom->nodes - 1)) < 1e-5F;
     };
     QVERIFY(awaitFrame(worker, shows));

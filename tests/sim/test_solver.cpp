@@ -39,8 +39,8 @@ float worstLengthError(const GroupDynamics& hair)
 {
     const Groom& groom = *hair.groom();
     float worst = 0.0F;
-    for (std::size_t strand = 0; strand < groom.basis->segmentLengths.size(); ++strand) {
-        const float length = groom.basis->segmentLengths[strand];
+    for (std::size_t strand = 0; strand < (*groom.basis)[BasisQuantity::SegmentLength].size(); ++strand) {
+        const float length = (*groom.basis)[BasisQuantity::SegmentLength][strand];
         if (length <= 0.0F)
             continue;
         for (int node = 1; node < groom.nodes; ++node) {

@@ -29,24 +29,17 @@ struct HandStrand
 
 inline std::shared_ptr<sim::BasisStyles> basisOf(const std::vector<HandStrand>& strands, int nodes)
 {
-    const std::size_t blocks = sim::blocksFor(strands.size());
     const auto nodeCount = static_cast<std::size_t>(nodes);
     auto basis = std::make_shared<sim::BasisStyles>();
-    basis->restPositions.assign(sim::StrandBlocks(nodes).floatsFor(blocks), 0.0F);
-    basis->segmentLengths.assign(blocks * sim::kLanes, 0.0F);
-    basis->gel.assign(blocks * sim::kLanes, 0.0F);
-    basis->give.assign(blocks * sim::kLanes, 0.0F);
-    basis->girth.assign(blocks * sim::kLanes, 0.0F);
-    basis->height.assign(blocks * sim::kLanes, 0.0F);
-    basis->wanted.assign(blocks, 0U);
+    basis->resize(nodes, sim::blocksFor(strands.size()));
     for (std::size_t i = 0; i < strands.size(); ++i) {
         const HandStrand& strand = strands[i];
         const float segment = strand.lengthM / static_cast<float>(nodes - 1);
-        basis->segmentLengths[i] = segment;
-        basis->gel[i] = strand.gel;
-        basis->give[i] = strand.give;
-        basis->girth[i] = strand.girthM;
-        basis->height[i] = strand.height;
+        (*basis)[sim::BasisQuantity::SegmentLength][i] = segment;
+        (*basis)[sim::BasisQuantity::Gel][i] = strand.gel;
+        (*basis)[sim::BasisQuantity::Give][i] = strand.give;
+        (*basis)[sim::BasisQuantity::Girth][i] = strand.girthM;
+        (*basis)[sim::BasisQuantity::Height][i] = strand.height;
         if (strand.wanted)
             sim::insertLane(basis->wanted, i);
         for (std::size_t node = 0; node < nodeCount; ++node) {
@@ -113,7 +106,7 @@ inline std::shared_ptr<sim::Groom> drawnGroomOf(const std::vector<HandStrand>& s
             chunk->drawn[slot] = true;
             chunk->styles[slot].lengthM = strands[strand].lengthM;
             chunk->styles[slot].detail = 0.0F;
-            chunk->segmentLengths[slot] = groom->basis->segmentLengths[strand];
+            chunk->segmentLengths[slot] = (*groom->basis)[sim::BasisQuantity::SegmentLength][strand];
             for (std::size_t node = 0; node < static_cast<std::size_t>(nodes); ++node)
                 groom->blocks().setNode(chunk->restPositions, slot, node,
                                         groom->blocks().node(groom->basis->restPositions, strand, node));
