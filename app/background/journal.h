@@ -83,19 +83,19 @@ private:
     QTimer m_nowAndThen; ///< While something is written.
     bool m_replaced = true;
     bool m_isPaused = false;
-    bool m_isStopped = false;                    ///< As it was told.
+    bool m_isStopped = false;                    ///< See isStopped().
     std::pair<std::uint64_t, int> m_posted;      ///< Revision and index of the step that was posted last.
     bool m_written = false;                      ///< A state of this history was posted.
     std::optional<model::JournalState> m_before; ///< The last one that was saved; it is written with the first step.
 
-    std::mutex m_mutex; ///< Of what follows.
+    std::mutex m_mutex; ///< Guards the members below.
     std::condition_variable_any m_changed;
     std::deque<Task> m_tasks;
     bool m_busy = false;
     bool m_discarding = false;
     bool m_told = true; ///< How the last task went is known to this thread.
     QString m_root;
-    std::jthread m_thread; ///< Last: it uses the others.
+    std::jthread m_thread; ///< The last member: the thread uses the others.
 };
 
 } // namespace hairpaint::app

@@ -86,7 +86,7 @@ public Q_SLOTS:
     void moveHead(hairpaint::sim::NeckMotion motion);
     void turnToBrush();    ///< So that the point where the brush was last is seen, in whichever area.
     void addCollider();    ///< Where the brush was last, half in the head; it is chosen, and all of them are shown.
-    void removeCollider(); ///< The chosen one.
+    void removeCollider(); ///< Removes the selected one.
     void setHairPaused(bool paused);  ///< Says so over the picture.
     void setWeatherShown(bool shown); ///< F7: the paper's keys for wind and light.
 
@@ -149,7 +149,7 @@ private:
     Stillness m_stillness;
     CameraFlight m_flight;
     std::uint64_t m_firstRevision = 0; ///< Of the project that is open.
-    bool m_ownHairAwaited = false;     ///< On the screen.
+    bool m_ownHairAwaited = false;     ///< The opened project's hair has not been on the screen yet.
     bool m_paused = false;
     bool m_refining = false;
 };

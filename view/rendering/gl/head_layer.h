@@ -50,7 +50,7 @@ private:
     std::shared_ptr<const sim::HeadMesh> m_head;
     std::shared_ptr<const CardSet> m_cards;
     FrameConstants m_drawnWith{};
-    bool m_isCoarse = false; ///< What the picture shows.
+    bool m_isCoarse = false; ///< The picture shows the coarse head.
 };
 
 } // namespace hairpaint::rendering
