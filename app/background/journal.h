@@ -67,7 +67,7 @@ private:
     QTimer m_nowAndThen; ///< While something is written.
     bool m_replaced = true;
     bool m_isPaused = false;
-    bool m_isStopped = false;                    ///< As it was told.
+    bool m_isStopped = false;                    ///< See isStopped().
     std::pair<std::uint64_t, int> m_posted;      ///< Revision and index of the step that was posted last.
     bool m_written = false;                      ///< A state of this history was posted.
     std::optional<model::JournalState> m_before; ///< The last one that was saved; it is written with the first step.

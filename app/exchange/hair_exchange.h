@@ -47,7 +47,7 @@ private:
 
     Session& m_session;
     FileWork& m_files;
-    view::HairExportChoice m_export; ///< That was last made.
+    view::HairExportChoice m_export; ///< The last choice made in the dialog.
     QPointer<view::ExportHairDialog> m_dialog;
 };
 

@@ -32,7 +32,7 @@ private:
     Session& m_session;
     FileWork& m_files;
     OutsideEdit m_outside;
-    view::MapsExportChoice m_choice; ///< That was last made.
+    view::MapsExportChoice m_choice; ///< The last choice made in the dialog.
 };
 
 } // namespace hairpaint::app

@@ -40,7 +40,7 @@ private:
 
     Session& m_session;
     FileWork& m_files;
-    std::unique_ptr<QTemporaryDir> m_folder; ///< From the first layer on.
+    std::unique_ptr<QTemporaryDir> m_folder; ///< Made for the first layer.
     std::map<QString, Away> m_away;          ///< By path.
     int m_number = 0;
     bool m_isTaking = false; ///< One comes back; others wait.

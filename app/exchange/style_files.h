@@ -19,10 +19,10 @@ public:
     void save();                         ///< The open project's hair; asks for the name.
     void rename(const QString& path);    ///< Asks for the name.
     void remove(const QString& path);    ///< To the trash, after a question.
-    void applyFrom(const QString& path); ///< wanted() follows.
+    void applyFrom(const QString& path); ///< Emits wanted().
 
 Q_SIGNALS:
-    void changed(); ///< The library.
+    void changed(); ///< The library has changed.
     /// A style from elsewhere, on this head, is to be put on.
     void wanted(const std::shared_ptr<const hairpaint::model::Preset>& preset);
 

@@ -19,7 +19,7 @@ inline constexpr qint64 kMostLinearPixels = qint64{4096} * 4096;
 /// How a picture that is kept is drawn.
 struct PictureLook
 {
-    int samples = rendering::pictureQuality().samples; ///< A pixel: 1, 4 or 16.
+    int samples = rendering::pictureQuality().samples; ///< Per pixel: 1, 4 or 16.
 };
 
 /// Needs no OpenGL: the same bytes on every machine. One thread.

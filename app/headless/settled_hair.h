@@ -32,7 +32,7 @@ private:
     std::optional<std::size_t> m_hairs;
     sim::Simulation m_simulation;
     std::optional<sim::NeckMotion> m_motion;
-    long m_motionSteps = 0; ///< Since it began.
+    long m_motionSteps = 0; ///< Steps since the motion began.
 };
 
 } // namespace hairpaint::app

@@ -9,7 +9,7 @@ namespace hairpaint::importer {
 /// Holds where (argument & mask) == value.
 struct ArgumentLimit
 {
-    unsigned argument = 0; ///< From 0 on.
+    unsigned argument = 0; ///< Index, from 0 on.
     std::uint64_t mask = 0;
     std::uint64_t value = 0;
 };

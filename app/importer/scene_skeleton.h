@@ -38,13 +38,13 @@ private:
     {
         const aiNode* node = nullptr;
         int parent = -1;
-        aiMatrix4x4 toWorld{};              ///< As the scene shows it.
-        std::optional<aiMatrix4x4> bound{}; ///< As the meshes were bound.
+        aiMatrix4x4 toWorld{};              ///< The pose in the scene.
+        std::optional<aiMatrix4x4> bound{}; ///< The pose in which the meshes were bound.
     };
 
     void findBones(const aiScene& scene);
     void findJoints(const aiNode& root);
-    int addJoint(const aiNode& node, const aiMatrix4x4& toWorld, int parent); ///< Its index.
+    int addJoint(const aiNode& node, const aiMatrix4x4& toWorld, int parent); ///< Returns its index.
     /// Of the node and of all below it.
     void addJoints(const aiNode& node, const aiMatrix4x4& parentToWorld, int parent, unsigned depth);
     [[nodiscard]] bool isJoint(const aiNode& node) const;

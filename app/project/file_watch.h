@@ -21,7 +21,10 @@ public:
 
     void setPath(const QString& path); ///< Empty: nothing is watched.
     void look();
-    [[nodiscard]] bool isLooking() const { return m_isAsked || m_soon.isActive(); } ///< Or will in a moment.
+    [[nodiscard]] bool isLooking() const
+    {
+        return m_isAsked || m_soon.isActive();
+    } ///< Also true where a look is about to begin.
 
 Q_SIGNALS:
     void looked(const FileStamp& now); ///< Once for a path, then soon after the last of some changes.

@@ -122,7 +122,7 @@ private:
     QWidget& m_window;
     OpenFile m_file;
     FileWatch m_watch;
-    QString m_toldOfOutside;       ///< That it is not said again.
+    QString m_toldOfOutside;       ///< The last such sentence, so that it is not repeated.
     model::KnownFile m_asRestored; ///< As a journal tells of the file; used until the disk has answered.
     bool m_saving = false;         ///< Then it is this window that changes the file.
     QString m_nameWithoutPath;     ///< Empty: untitled.

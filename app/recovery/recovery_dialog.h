@@ -19,7 +19,7 @@ struct UnsavedWork
     QString name; ///< Of the project.
     QString path; ///< Of its file; empty where it was never saved.
     QDateTime changed;
-    int steps = 0;      ///< That can be undone.
+    int steps = 0;      ///< Number of undo steps.
     QString unwritable; ///< Its folder, where it can't be removed from there; else empty.
 };
 

@@ -44,14 +44,14 @@ protected:
 private:
     [[nodiscard]] bool isOurs(const QDialog& dialog) const;
     void place(QDialog& dialog);
-    void keepInside(QDialog& dialog);                                      ///< It may have grown.
+    void keepInside(QDialog& dialog); ///< Moves it back into the screen after it has grown.
     [[nodiscard]] static bool isMoved(const QDialog& dialog, QPoint from); ///< By the user.
     void remember(QDialog& dialog);
 
     QWidget& m_window;
     Settings& m_settings;
     std::function<QRect()> m_head;
-    std::map<const QDialog*, QPoint> m_placed; ///< Those that are shown.
+    std::map<const QDialog*, QPoint> m_placed; ///< Positions of the dialogs that are shown.
 };
 
 } // namespace hairpaint::app

@@ -53,7 +53,7 @@ private:
     Draw m_draw;
     QStringList m_wanted;
     bool m_busy = false;
-    bool m_forgotten = false; ///< The one under way.
+    bool m_forgotten = false; ///< The picture being drawn is not wanted any more.
 };
 
 } // namespace hairpaint::app

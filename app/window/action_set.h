@@ -44,7 +44,7 @@ public:
     [[nodiscard]] QAction* find(QLatin1StringView id) const; ///< Null where there is none.
     [[nodiscard]] std::vector<view::KeyBinding> bindings() const;
     void remember(QAction* action, const QKeySequence& key);
-    void forget(QAction* action); ///< It has its own keys again.
+    void forget(QAction* action); ///< Resets the action to its default keys.
 
 private:
     struct AddedAction

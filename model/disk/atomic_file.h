@@ -32,10 +32,10 @@ private:
 
     Checked<QString> m_place;
     StagedFile m_staged;
-    QString m_path; ///< No link.
+    QString m_path; ///< The file itself, links resolved.
     QByteArray m_buffer;
     QString m_problem;
-    bool m_isFlushed = false; ///< Since the last byte.
+    bool m_isFlushed = false; ///< Since the last write.
 };
 
 /// Commits `file`, which is to be `path`, unless `progress` says no once every byte lies on the disk, which may have

@@ -64,7 +64,7 @@ public:
     /// Over what has the other name.
     [[nodiscard]] bool rename(const QString& from, const QString& to) const;
     bool remove(const QString& name) const;       ///< Anything but a folder.
-    bool removeFolder(const QString& name) const; ///< An empty one.
+    bool removeFolder(const QString& name) const; ///< Only an empty folder.
     /// So that new names outlive a power cut; not every file system can.
     void flush() const;
     /// Somebody holds the file by holdStaged(), or it can't be told. Elsewhere than on Unix never.

@@ -21,7 +21,7 @@ struct JournalState
 {
     Project project;
     QString path;        ///< Of the project's file; empty where it was never saved.
-    KnownFile file = {}; ///< That file.
+    KnownFile file = {}; ///< Stamp of the file at `path`.
     QString step;        ///< What undo calls the step that led here.
     int index = 0;       ///< Steps that undo would take back.
     int count = 0;       ///< Steps that the history holds, those that were undone included.

@@ -16,7 +16,7 @@ struct Avatar
 {
     static constexpr int kLongestText = 200;
 
-    QString name;          ///< On one line.
+    QString name;          ///< Without line breaks.
     QString author;        ///< Likewise.
     HeadSkeleton skeleton; ///< Hd.
     HumanoidBones bones;

@@ -35,8 +35,8 @@ struct Curve
 {
     std::uint32_t group = 0; ///< Index into CurveSet::groups().
     std::uint32_t slot = 0;
-    std::uint32_t segments = 1; ///< That it is evaluated with.
-    std::uint32_t points = 2;   ///< That it is written with.
+    std::uint32_t segments = 1; ///< Number of segments that it is evaluated with.
+    std::uint32_t points = 2;   ///< Number of points that are written.
     std::uint64_t firstPoint = 0;
     [[nodiscard]] std::uint64_t endPoint() const { return firstPoint + points; }
 };

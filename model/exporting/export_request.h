@@ -24,14 +24,14 @@ struct ExportRequest
     const ExportTarget* target = nullptr;
     CurveOptions curves{};
     CardSettings cards{};
-    QString author{};                        ///< Of avatars; empty is "Unknown".
-    std::vector<Worn> worn{};                ///< See ExportSettings.
-    QRgb skinColour = 0xFF808080;            ///< Likewise.
-    std::shared_ptr<const Avatar> avatar{};  ///< There where the format is one of avatars.
+    QString author{};                       ///< Of avatars; empty is "Unknown".
+    std::vector<Worn> worn{};               ///< See ExportSettings.
+    QRgb skinColour = 0xFF808080;           ///< Likewise.
+    std::shared_ptr<const Avatar> avatar{}; ///< There where the format is one of avatars.
 };
 
-/// Adds what the project gives: what is worn, colour of the skin, and the avatar, of that name, where the format is one of
-/// avatars. Fails where the head has no such skeleton; `path` is the file that would be written.
+/// Adds what the project gives: what is worn, colour of the skin, and the avatar, of that name, where the format is one
+/// of avatars. Fails where the head has no such skeleton; `path` is the file that would be written.
 [[nodiscard]] Result<void> addProject(ExportRequest& request, const Project& project, const QString& avatarName,
                                       const QString& path);
 

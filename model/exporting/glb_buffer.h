@@ -20,7 +20,7 @@ public:
     static constexpr int kFloats = 5126; ///< Types of components.
     static constexpr int kInts = 5125;
     static constexpr int kShorts = 5123;
-    static constexpr int kVertices = 34962; ///< What a view is for.
+    static constexpr int kVertices = 34962; ///< Targets of buffer views.
     static constexpr int kIndices = 34963;
     static constexpr int kOther = 0;
 

@@ -67,8 +67,8 @@ private:
     std::unique_ptr<PngBands> m_bands; ///< Null once the image is read as a stream.
     std::span<std::uint8_t> m_band;    ///< What is left of the present one.
     std::vector<std::uint8_t> m_above; ///< The row before, the filter's number first.
-    std::unique_ptr<Stream> m_stream;  ///< Null until then.
-    std::size_t m_given = 0;           ///< Rows.
+    std::unique_ptr<Stream> m_stream;  ///< Null before the first row.
+    std::size_t m_given = 0;           ///< Rows delivered so far.
 };
 
 } // namespace hairpaint::model

@@ -41,8 +41,8 @@ enum class Reason : std::uint32_t
     CannotWriteEnding = 7,
     OutOfMemory = 8,
     UnknownCompression = 9,
-    MissingFile = 10,  ///< One that the file names.
-    OutsideFolder = 11 ///< Where such a one lies.
+    MissingFile = 10,  ///< A file that the model refers to is missing;
+    OutsideFolder = 11 ///< or lies outside of the model's folder.
 };
 
 /// Why there is no other answer.

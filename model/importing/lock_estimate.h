@@ -10,7 +10,7 @@ namespace hairpaint::model {
 struct LockEstimate
 {
     float clump = 0.0F; ///< As the clump map has it; 0 where no locks are to be seen.
-    float hairs = 0.0F; ///< In a lock.
+    float hairs = 0.0F; ///< Number of hairs in a lock.
 };
 
 /// From how far the coils of neighbours are in phase. About 50 ms.

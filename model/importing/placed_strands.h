@@ -35,7 +35,7 @@ struct PlacedStrand
 {
     SkinWay root; ///< Its direction is that to the point 2 cm along, of short hair a third along.
     StrandShape shape;
-    std::uint32_t points = 2;                    ///< It was told with.
+    std::uint32_t points = 2;                    ///< Number of points that the file gives it.
     StrandLook look;                             ///< Widths in m.
     float held = 0.0F;                           ///< 0..1: how far it stands where gravity would lay it down.
     std::uint32_t source = 0;                    ///< Its number in the file's group.

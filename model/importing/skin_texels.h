@@ -18,8 +18,8 @@ struct SkinTexels
     std::vector<glm::vec3> placeHd;
     std::vector<sim::SkinFrame> frame;
     std::vector<float> areaM2;
-    float sideM = 0.0F;            ///< Of a usual texel.
-    std::optional<PlaceGrid> grid; ///< Of placeHd.
+    float sideM = 0.0F;            ///< Median side of a texel on the skin.
+    std::optional<PlaceGrid> grid; ///< Over placeHd.
 
     [[nodiscard]] std::size_t count() const { return texel.size(); }
     /// None where `progress` cancels. Half a second for a map of 1024; uses parallelFor.

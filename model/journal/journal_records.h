@@ -12,7 +12,7 @@ namespace hairpaint::model {
 
 enum class RecordKind : std::uint32_t
 {
-    Start = 1, ///< Which format follows.
+    Start = 1, ///< Version of the format of what follows.
     Tile = 2,  ///< One tile's texels; tiles are numbered from 0 as they come.
     Head = 3,  ///< An imported head's mesh; numbered likewise.
     State = 4, ///< The content after one edit, naming tiles and a head by number.

@@ -77,7 +77,7 @@ private:
     std::uint32_t m_tileCount = 0;
     std::map<Id, QByteArray> m_tables; ///< Of each layer, as it was written last.
     std::vector<std::shared_ptr<const Head>> m_heads;
-    std::deque<JournalState> m_states; ///< The last ones.
+    std::deque<JournalState> m_states; ///< The newest states that were appended.
     qint64 m_bytes = 0;
     qint64 m_rewrittenBytes = 0; ///< What the file took when it was written anew last.
     bool m_clean = true;

@@ -49,7 +49,7 @@ private:
     ResolvedMaps m_maps;
     Background m_background;
     std::function<void(const ResolvedMaps::Addresses&)> m_arrived;
-    std::shared_ptr<Underway> m_underway; ///< Null where nothing is.
+    std::shared_ptr<Underway> m_underway; ///< Null where nothing is being resolved.
 };
 
 } // namespace hairpaint::model

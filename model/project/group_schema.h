@@ -44,7 +44,7 @@ struct GroupSetting
     double sliderLeast, sliderGreatest; ///< In the panel, in the unit shown; within what files may hold.
     int decimals = 0;
     float exponent = 1.0F;                       ///< Of the slider's scale: above 1 small values have more room.
-    std::span<const SettingChoice> choices = {}; ///< Of a choice.
+    std::span<const SettingChoice> choices = {}; ///< The values of a setting that is a choice.
     /// A number of hairs over the whole skin, shown as how many of them stand on the scalp (see Head::scalpFraction).
     bool countsOnScalp = false;
 

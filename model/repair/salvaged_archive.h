@@ -54,7 +54,7 @@ private:
     [[nodiscard]] Content contentOf(const Record& record, qint64 mostBytes);
 
     std::unique_ptr<QFile> m_file;
-    std::vector<qint64> m_headers; ///< In the order of the file.
+    std::vector<qint64> m_headers; ///< Offsets, ascending.
     std::map<QString, std::vector<Record>> m_entries;
 };
 

@@ -41,7 +41,7 @@ private:
     std::shared_ptr<const Head> m_from;
     std::shared_ptr<const Head> m_to;
     sim::HeadWarp m_warp;     ///< Positions on `to` to those on `from`.
-    sim::MeshBounds m_bounds; ///< Of `from`.
+    sim::MeshBounds m_bounds; ///< Bounds of `from`.
     int m_size;
     std::vector<glm::vec2> m_uvs; ///< [row][column] at texel centres, row 0 at v = 1; x < 0 where there is no skin.
 };

@@ -13,7 +13,7 @@ namespace hairpaint::model {
 /// A layer that holds, and what is laid on it.
 struct HoldPaint
 {
-    const StrokeBuffer::MaskTile* mask = nullptr; ///< Null: everywhere.
+    const StrokeBuffer::MaskTile* mask = nullptr; ///< Null: the whole tile.
     std::uint16_t opacity = 65535;
 };
 

@@ -53,7 +53,7 @@ private:
     };
 
     EditSession m_session;
-    std::vector<Edited> m_layers; ///< The target first.
+    std::vector<Edited> m_layers; ///< The target is the first.
 };
 
 /// The texels whose centres lie in the selection; all of them where nothing is selected. None overlaps another.

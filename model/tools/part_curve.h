@@ -62,8 +62,8 @@ public:
 
     struct Offset
     {
-        float lateralM = 0.0F; ///< To the right.
-        float slope = 0.0F;    ///< Of it, along the curve.
+        float lateralM = 0.0F; ///< Signed distance to the right.
+        float slope = 0.0F;    ///< Derivative of lateralM along the curve.
     };
     Zigzag(float amplitudeM, float lengthM);
     [[nodiscard]] Offset at(float alongM) const;

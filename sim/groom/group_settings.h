@@ -91,9 +91,9 @@ enum class Affects : std::uint8_t
     return (static_cast<std::uint8_t>(what) & static_cast<std::uint8_t>(asked)) != 0;
 }
 
-using SettingMember = std::variant<float GroupSettings::*, int GroupSettings::*, bool GroupSettings::*,
-                                   TurnsMode GroupSettings::*, float VariationSettings::*, float PhysicsSettings::*,
-                                   float StrandMaterial::*>;
+using SettingMember =
+    std::variant<float GroupSettings::*, int GroupSettings::*, bool GroupSettings::*, TurnsMode GroupSettings::*,
+                 float VariationSettings::*, float PhysicsSettings::*, float StrandMaterial::*>;
 
 /// What a setting affects. Each has a row in group_settings.cpp.
 [[nodiscard]] Affects affectsOf(const SettingMember& setting);

@@ -43,7 +43,7 @@ public:
 
     void clear() { m_count = 0; }
     [[nodiscard]] bool isFull() const { return m_count == kLanes; }
-    void add(const LayRoot& root, float lengthM); ///< Where it is not full.
+    void add(const LayRoot& root, float lengthM); ///< Must not be full.
     void lay();                                   ///< All that were added since clear().
 
     /// The skeletons in the order in which they were added, nodes evenly spaced: [nodes][3][kLanes], Hd. A direction of

@@ -30,7 +30,7 @@ public:
     {
         MapRaster direction;
         std::vector<std::uint32_t> indices; ///< Of the cells that differ,
-        std::vector<LayCell> cells;         ///< and they.
+        std::vector<LayCell> cells;         ///< and the cells themselves.
     };
     [[nodiscard]] Difference differenceTo(const MapRaster& direction);
     void apply(const Difference& difference);

@@ -30,8 +30,8 @@ struct LayLanes
     std::array<Row, 3> rootHd{};
     std::array<Row, 3> directionHd{}; ///< In which it leaves the skin; unit.
     Row segmentM{};
-    Row steps{}; ///< In a segment.
-    Row falls{}; ///< fallFraction()
+    Row steps{}; ///< Steps per segment.
+    Row falls{}; ///< See fallFraction().
     Row coatM{}; ///< Height at which it lies.
     Row lies{};  ///< 1 where it lies on the head at first, else 0.
 };

@@ -27,7 +27,7 @@ private:
         std::vector<std::int32_t> lists; ///< [kChunkSlots][m_most]; empty where nobody has passed anything.
         /// A bit for every few neighbouring cells that a strand has passed, now or since renew().
         std::vector<std::uint64_t> near;
-        std::size_t puts = 0; ///< Since renew().
+        std::size_t puts = 0; ///< Number of puts since renew().
     };
     [[nodiscard]] std::span<const std::int32_t> listOf(const Chunk& chunk, std::size_t local) const
     {

@@ -28,7 +28,7 @@ struct GridLayout
 class DistanceGrid
 {
 public:
-    static constexpr float kUnitM = 0.0002F;          ///< Of a stored value.
+    static constexpr float kUnitM = 0.0002F;          ///< Length of one unit of a stored value.
     static constexpr float kReachM = 127.0F * kUnitM; ///< Distances are cut off there, on both sides.
     static constexpr float kCellM = 0.003F;
     static constexpr std::size_t kMostNodes = 8'000'000;   ///< Larger heads get larger cells;

@@ -8,7 +8,7 @@ namespace hairpaint::sim {
 /// Unit vectors at right angles, Hd. +y goes up the map (along +dP/dv), also where the map is mirrored on the skin.
 struct SkinFrame
 {
-    glm::vec3 x{1.0F, 0.0F, 0.0F}; ///< SurfacePoint::tangentHd.
+    glm::vec3 x{1.0F, 0.0F, 0.0F}; ///< See SurfacePoint::tangentHd.
     glm::vec3 y{0.0F, 0.0F, -1.0F};
     glm::vec3 normal{0.0F, 1.0F, 0.0F};
 

@@ -77,7 +77,7 @@ private:
 
     std::vector<ExportableGroup> m_groups;
     std::vector<QCheckBox*> m_boxes; ///< As many; seen where there are several.
-    QSet<int> m_leftOut;             ///< Ids.
+    QSet<int> m_leftOut;             ///< Ids of groups that are not exported.
     QScrollArea* m_list = nullptr;   ///< Of the boxes.
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;

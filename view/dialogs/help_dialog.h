@@ -45,7 +45,7 @@ private:
     const EditorState& m_state;
     std::vector<KeyBinding> m_bindings;
     QTextBrowser* m_browser = nullptr;
-    QString m_html; ///< As it was written last.
+    QString m_html; ///< Last set text.
     QTimer m_rewrite;
 };
 

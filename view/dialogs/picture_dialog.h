@@ -90,7 +90,7 @@ private:
     void follow();
 
     QSize m_viewPx;
-    double m_widthPerHeight = 1.0; ///< Kept while the shape is.
+    double m_widthPerHeight = 1.0; ///< Kept while the proportions are locked.
     QComboBox* m_sizes = nullptr;
     QSpinBox* m_width = nullptr;
     QSpinBox* m_height = nullptr;
@@ -103,7 +103,7 @@ private:
     QLabel* m_preview = nullptr;
     QTimer m_soon;          ///< Until the next small picture is asked for.
     bool m_isAsked = false; ///< A small picture is being drawn.
-    bool m_isStale = false; ///< And shows what was before.
+    bool m_isStale = false; ///< That picture shows an earlier state.
 };
 
 } // namespace hairpaint::view

@@ -33,7 +33,7 @@ public:
     PreferencesDialog(const Preferences& preferences, const std::vector<std::pair<QString, QString>>& languages,
                       std::vector<KeyBinding> bindings, QWidget* parent = nullptr);
     [[nodiscard]] const Preferences& preferences() const { return m_preferences; }
-    void setPreferences(const Preferences& preferences); ///< Tells nothing.
+    void setPreferences(const Preferences& preferences); ///< Emits no signal.
 
 Q_SIGNALS:
     void preferencesChanged(const hairpaint::view::Preferences& preferences);

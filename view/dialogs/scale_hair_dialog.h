@@ -24,7 +24,7 @@ private:
     EditorState& m_state;
     model::Id m_group = 0;
     sim::GroupSettings m_before;
-    QString m_step; ///< What undo says.
+    QString m_step; ///< Text of the undo step.
     model::EditSession m_edit;
     std::vector<BarSlider*> m_shares; ///< One a row of model::hairScales(), in per cent.
 };

@@ -16,7 +16,7 @@ public:
 
     void requestDraw();                     ///< Soon, at most once in 16 ms.
     void wake();                            ///< What is shown changes: draws fast until it is still again.
-    void drawing() { m_sinceDraw.start(); } ///< A picture is begun.
+    void drawing() { m_sinceDraw.start(); } ///< To be called when a picture is begun.
 
     /// What is shown stays as it is for a moment now, though hair may go on moving by less than a pixel: it is refined.
     [[nodiscard]] bool still() const { return m_still; }

@@ -89,7 +89,7 @@ private:
     std::optional<model::GrabbedHair> m_grabbed; ///< By the press, where the tool grabs.
     rendering::Camera m_cameraBefore;
     model::LightSettings m_lightBefore;
-    model::LightSettings m_light; ///< While it is dragged.
+    model::LightSettings m_light; ///< The light being dragged.
 };
 
 } // namespace hairpaint::view

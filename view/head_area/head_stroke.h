@@ -30,7 +30,7 @@ private:
 
     EditorState& m_editor;
     const HeadScene& m_scene;
-    PointerSample m_at; ///< Where the stroke got to.
+    PointerSample m_at; ///< Last sample of the stroke.
     glm::vec2 m_lastUv{0.0F};
     std::optional<model::GrabbedHair> m_grabbed; ///< It goes where the pointer goes, over skin and beside it.
 };

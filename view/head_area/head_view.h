@@ -149,7 +149,7 @@ private:
     Stillness m_stillness;
     CameraFlight m_flight;
     std::uint64_t m_firstRevision = 0; ///< Of the project that is open.
-    bool m_ownHairAwaited = false;     ///< On the screen.
+    bool m_ownHairAwaited = false;     ///< The opened project's hair has not been on the screen yet.
     bool m_paused = false;
     bool m_refining = false;
 };

@@ -28,7 +28,7 @@ public:
     void settle();
     /// How long no key is pressed until a change ends by itself; a second unless set.
     void setPause(int milliseconds) { m_pauseMs = milliseconds; }
-    [[nodiscard]] bool pausing() const { return m_pause.isActive(); } ///< Whether such a pause runs.
+    [[nodiscard]] bool pausing() const { return m_pause.isActive(); } ///< Whether that time is running.
 
     [[nodiscard]] QSize sizeHint() const override;
 

@@ -18,7 +18,7 @@ struct NumberUnit
     /// Parted by bars; the first one is what a field is told to take. To be translated in context "NumberText"; those
     /// of the source are known in every language, beside the translated ones.
     const char* names;
-    double factor; ///< SI.
+    double factor; ///< To SI.
 };
 
 /// The same characters for what reads the same: digits of any script, minus signs, primes, spaces, squares; in lower

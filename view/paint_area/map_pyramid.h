@@ -46,7 +46,7 @@ private:
         int side = 0;   ///< Texels.
         int across = 0; ///< Tiles.
         int tileSide = kTileSide;
-        std::vector<QImage> tiles;        ///< Null: to be made.
+        std::vector<QImage> tiles;        ///< Null: not drawn yet.
         std::vector<std::uint8_t> coarse; ///< 1: of samples.
         [[nodiscard]] std::size_t indexOf(int column, int row) const
         {

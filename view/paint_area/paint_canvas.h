@@ -42,7 +42,7 @@ public:
     QList<QRectF> refine(double milliseconds) { return m_pyramid.refine(milliseconds); }
     /// How far what is drawn of a texel may reach beyond it, px.
     [[nodiscard]] int reachPx() const;
-    void invalidate(); ///< The look changed.
+    void invalidate(); ///< To be called when what is shown has changed.
 
     void paint(QPainter& painter, const QRect& dirty, const Look& look);
 
@@ -52,7 +52,7 @@ private:
     void drawLandmarks(QPainter& painter, const Look& look) const;
 
     MapPyramid m_pyramid;
-    bool m_isField = false; ///< A map of directions.
+    bool m_isField = false; ///< The map holds directions.
     BackdropPtr m_backdrop;
     QImage m_veil; ///< Of the backdrop's shading.
     std::vector<Landmark> m_landmarks;

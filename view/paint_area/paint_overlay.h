@@ -43,7 +43,7 @@ private:
     EditorState& m_editor;
     const UvTransform& m_transform;
     QWidget& m_area;
-    std::vector<QPolygonF> m_rings; ///< On the widget.
+    std::vector<QPolygonF> m_rings; ///< In widget coordinates.
     QRect m_ringsBounds;
     std::vector<model::OverlayShape> m_outlines;
     QRect m_outlinesBounds;

@@ -50,7 +50,7 @@ private:
     QLabel* m_toolIcon = nullptr;
     QLabel* m_toolName = nullptr;
     QWidget* m_valueBox = nullptr;
-    QLabel* m_revealed = nullptr; ///< What the eraser leaves.
+    QLabel* m_revealed = nullptr; ///< Shows what the eraser leaves behind.
     MapBadge* m_badge = nullptr;
     std::pair<model::Id, model::MapKind> m_stands{}; ///< The group and the map whose value m_scalar shows.
     BarSlider* m_scalar = nullptr;

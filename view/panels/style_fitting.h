@@ -27,7 +27,7 @@ public:
     [[nodiscard]] bool shows() const { return m_edit.active(); }
     /// One undo step, or a question first.
     void putOn(const PresetPtr& preset, model::StylePart part);
-    void drop();                      ///< What is only looked at.
+    void drop();                      ///< Drops a preview.
     void dismiss() { m_edit.drop(); } ///< A question, too, without an answer.
 
 Q_SIGNALS:
@@ -45,7 +45,7 @@ private:
     void showStyle(const PresetPtr& preset, const model::StyleUse& use);
     void ask(const PresetPtr& preset, const model::StyleUse& use);
     void commit(const PresetPtr& preset, const model::StyleUse& use);
-    void editEnded(); ///< Whoever ended it.
+    void editEnded(); ///< However it ended.
 
     EditorState& m_state;
     StyleQuestion& m_question;

@@ -25,13 +25,13 @@ public:
 Q_SIGNALS:
     void keepChosen();    ///< The style, but these groups stay.
     void replaceChosen(); ///< The style with all its groups.
-    void cancelChosen();  ///< Nothing of the style.
+    void cancelChosen();  ///< The style is not applied.
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override; ///< Of the buttons.
 
 private:
-    void step(int by); ///< From button to button.
+    void step(int by); ///< Moves the focus by so many buttons.
 
     QLabel* m_text = nullptr;
     QPushButton* m_keep = nullptr;

@@ -35,7 +35,7 @@ struct FrameStatistics
 struct Capabilities
 {
     bool graphicsCard = false; ///< Draws on one; else on the processor, be it by a driver of OpenGL's.
-    int mostSamples = 4;       ///< A pixel.
+    int mostSamples = 4;       ///< Per pixel.
     bool linear = false;       ///< Pictures before they are encoded: Quality::linear.
     bool transparent = false;  ///< Scene::transparent.
 };
@@ -81,7 +81,7 @@ public:
     /// Of the last finished picture.
     [[nodiscard]] virtual const FrameStatistics& statistics() const = 0;
     [[nodiscard]] virtual Capabilities capabilities() const = 0;
-    [[nodiscard]] virtual const std::string& description() const = 0; ///< What draws, for people.
+    [[nodiscard]] virtual const std::string& description() const = 0; ///< Name of the renderer, to be shown.
 
 protected:
     Backend() = default;

@@ -35,7 +35,7 @@ struct DepthOfCoat
     /// is drawn. A seventh slower.
     bool inEveryColumn;
     float widest;        ///< That hidden hair becomes where fewer stand for more, samples.
-    float leastFraction; ///< Of it that is drawn.
+    float leastFraction; ///< Of hidden hair, the least fraction that is drawn.
 };
 /// Of all hairs, the fraction of those drawn that is left where others hide them by half and more.
 [[nodiscard]] float deepFraction(const DepthOfCoat& depth, float widthSp, float fraction);

@@ -13,7 +13,7 @@ struct EyeGrid
     glm::vec3 low{0.0F};
     glm::vec3 per{1.0F};
     float sectionM2 = 1.0F; ///< That a column covers at a distance of 1 m.
-    float middleM = 1.0F;   ///< Distance of its middle.
+    float middleM = 1.0F;   ///< Distance of the grid's middle from the eye.
 };
 
 /// A voxel hides no more than this, in coverings, of what lies behind: many hairs may lie in a small part of its

@@ -41,7 +41,7 @@ struct Target
 {
     int width = 0; ///< Pixels.
     int height = 0;
-    glm::ivec2 samples{1}; ///< A pixel, across and up.
+    glm::ivec2 samples{1}; ///< Per pixel, across and up.
 };
 
 /// For shaders that exist for 1, 2 and 4 samples a pixel.

@@ -13,7 +13,7 @@ namespace hairpaint::model {
 struct AvatarGlb
 {
     QJsonArray nodes;  ///< The skeleton's joints; the first, their root, has the number `firstNode`.
-    QJsonArray joints; ///< Their numbers.
+    QJsonArray joints; ///< Indices of their nodes.
     std::vector<glm::mat4> inverseBind;
     QJsonObject vrm; ///< VRMC_vrm.
     int headNode = 0;

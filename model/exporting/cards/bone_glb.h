@@ -16,7 +16,7 @@ namespace hairpaint::model {
 /// The joint that all chains hang from.
 struct BoneRoot
 {
-    int node = 0; ///< Its number.
+    int node = 0; ///< Index of its node.
     JointPlace place;
 };
 

@@ -24,7 +24,7 @@ struct ScalpCap
     std::vector<Vertex> vertices;
     std::vector<glm::uvec3> triangles; ///< Counter-clockwise from outside.
     std::vector<std::uint32_t> hairs;  ///< Of SampledHair.
-    glm::vec2 leastM{0.0F};            ///< Of what is flat.
+    glm::vec2 leastM{0.0F};            ///< Bounds of the flattened vertices.
     glm::vec2 greatestM{0.0F};
     glm::vec3 middleWo{0.0F}; ///< From where it is seen all around.
     glm::vec3 axisWo{0.0F, 1.0F, 0.0F};

@@ -37,7 +37,7 @@ public:
     [[nodiscard]] std::size_t segmentCount() const { return m_segments; }
 
 private:
-    static constexpr std::size_t kSteps = 64; ///< Of detail.
+    static constexpr std::size_t kSteps = 64; ///< Steps of detail.
     struct IndexedStrand
     {
         std::uint16_t slot;

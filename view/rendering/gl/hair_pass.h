@@ -76,7 +76,7 @@ private:
     Buffer m_points;
     Buffer m_projected;
     Buffer m_voxels;
-    std::array<Texture, 2> m_opacity;    ///< Toward the light, the eye.
+    std::array<Texture, 2> m_opacity;    ///< Grids along the light and along the eye's rays.
     std::map<int, HairBuffers> m_groups; ///< By the group's id.
     std::vector<int> m_visible;          ///< Ids, in the frame's order.
     std::map<int, Share> m_shares;       ///< By the group's id.

@@ -54,7 +54,7 @@ private:
     std::shared_ptr<const CardSet> m_cards;
     std::vector<Solid> m_solids;
     FrameConstants m_drawnWith{};
-    bool m_isCoarse = false; ///< What the picture shows.
+    bool m_isCoarse = false; ///< The picture shows the coarse head.
 };
 
 } // namespace hairpaint::rendering

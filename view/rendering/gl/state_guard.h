@@ -22,7 +22,7 @@ private:
     int m_textures[kTextureUnits] = {};
     int m_textures3D[kTextureUnits] = {};
     int m_scissorBox[4] = {};
-    int m_blendSource[2] = {}; ///< Of colour, of alpha.
+    int m_blendSource[2] = {}; ///< For colour and for alpha.
     int m_blendTarget[2] = {};
     int m_viewport[4] = {};
     int m_packAlignment = 4;

@@ -15,7 +15,7 @@ namespace hairpaint::rendering::HWY_NAMESPACE {
 template<class F>
 struct Passed
 {
-    F direct;      ///< That met none.
+    F direct;      ///< Fraction of light that met no hair.
     Triple<F> all; ///< With what was scattered forward by those that it met.
 };
 

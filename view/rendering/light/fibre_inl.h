@@ -61,7 +61,7 @@ HWY_INLINE F fibreDepth(F colour)
 {
     constexpr float kLn2 = 0.69314718F;
     constexpr float kOfRoughness = 5.8877F;
-    constexpr float kMeanChord = 1.8526F; ///< Radii.
+    constexpr float kMeanChord = 1.8526F; ///< In radii of the fibre.
     const F log = log2Of(clamped(colour, 0.001F, 0.999F)) * F(kLn2 / kOfRoughness);
     return log * log * F(kMeanChord);
 }
