@@ -2,8 +2,8 @@
 #include "app/cli/command.h"
 #include "app/styles/library.h"
 #include "model/document/document.h"
-#include "model/files/project_json.h"
 #include "model/files/project_file.h"
+#include "model/files/project_json.h"
 #include "model/values/names.h"
 #include "sim/groom/groom.h"
 

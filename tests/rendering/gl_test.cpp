@@ -97,8 +97,8 @@ glm::ivec3 ForeignFramebuffer::centre() const
     return {pixel[0], pixel[1], pixel[2]};
 }
 
-Picture drawn(rendering::Backend& renderer, const rendering::Scene& scene, const rendering::Quality& quality,
-              int width, int height)
+Picture drawn(rendering::Backend& renderer, const rendering::Scene& scene, const rendering::Quality& quality, int width,
+              int height)
 {
     Picture picture{.width = width, .height = height, .pixels = {}};
     renderer.draw(scene, quality, width, height);
