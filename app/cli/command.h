@@ -46,10 +46,10 @@ struct CommandOption
 struct Command
 {
     const char* name;
-    const char* operands;                    ///< What follows the name: "P.hairpaint".
-    const char* purpose;                     ///< To be translated in context "CommandLine".
-    std::vector<CommandOption> (*options)(); ///< In the order of the usage line.
-    ExitCode (*run)(const QStringList& arguments);
+    const char* operands;                              ///< What follows the name: "P.hairpaint".
+    const char* purpose;                               ///< To be translated in context "CommandLine".
+    std::vector<CommandOption> (*options)() = nullptr; ///< In the order of the usage line.
+    ExitCode (*run)(const QStringList& arguments) = nullptr;
 };
 
 [[nodiscard]] std::span<const Command> commands();

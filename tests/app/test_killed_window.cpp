@@ -7,6 +7,7 @@
 #include "tests/app/box_answer.h"
 #include "tests/app/thin_project.h"
 #include "tests/app/window_fixture.h"
+#include "tests/model/archive_maker.h"
 #include "tests/support/file_faults.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
@@ -193,7 +194,7 @@ private:
     {
         const model::HairGroup& group = session().document().project().groups.front();
         const model::Layer& layer = group.map(model::MapKind::Length).layers.front();
-        std::vector<model::TileChange> tiles;
+        model::LayerTiles tiles;
         for (int i = 0; i < layer.raster.tileCount(); ++i) {
             auto tile = std::make_shared<sim::RasterTile>();
             tile->pixels.resize(sim::kTileTexels * 2);

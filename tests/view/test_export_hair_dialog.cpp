@@ -183,7 +183,7 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < model::exportFormats().size(); ++i) {
             boxAt(dialog, 0)->setCurrentIndex(static_cast<int>(i));
             std::size_t fields = 0;
-            for (const QWidget* widget : dialog.findChildren<QWidget*>({}, Qt::FindDirectChildrenOnly))
+            for (const QWidget* widget : dialog.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
                 fields += widget->isVisible() && (qobject_cast<const BarSlider*>(widget) != nullptr ||
                                                   qobject_cast<const QComboBox*>(widget) != nullptr ||
                                                   qobject_cast<const QCheckBox*>(widget) != nullptr ||
