@@ -187,7 +187,7 @@ void GroupSetting::writeShown(GroupSettings& settings, double value, double scal
 
 sim::VariationSettings naturalVariation()
 {
-    return {.length = 0.08F, .curl = 0.12F, .width = 0.2F, .crossing = 0.06F, .flyaways = 0.012F};
+    return {.length = 0.08F, .curl = 0.12F, .width = 0.2F, .crossing = 0.08F, .flyaways = 0.012F};
 }
 
 GroupSettings newGroupSettings(double scalpFraction)

@@ -76,7 +76,8 @@ public:
             hair.style.phase += (hair.basisPhase - hair.style.phase) * clump;
             varyCurl(clump > kKeepsStep ? variationOf(variation, roots.seed, hair.basisRank) : hair.own, hair.style);
             if (hair.own.isTurned())
-                turnLane(hair.own, roots.normalHd[hair.slot], hair.style.lengthM, m_clump.nodes, nodesHd.data() + i);
+                turnLane(hair.own, clump, roots.normalHd[hair.slot], hair.style.lengthM, m_clump.nodes,
+                         nodesHd.data() + i);
             store(hair.slot, hair.style, {.clump = clump}, nodesHd.data() + i);
         }
         m_clump.clump.fill(0.0F);

@@ -119,7 +119,7 @@ glm::vec3 greyed(glm::vec3 colour, float chance)
     return glm::mix(kWhite * (1.0F + kDiffers * chance), colour, kKept);
 }
 
-void turnLane(const HairVariation& variation, glm::vec3 normalHd, float lengthM, int nodes, float* nodesHd)
+void turnLane(const HairVariation& variation, float clump, glm::vec3 normalHd, float lengthM, int nodes, float* nodesHd)
 {
     constexpr float kMostAcrossM = 0.04F; ///< Of the tip.
     constexpr float kMostLiftM = 0.02F;
@@ -130,6 +130,7 @@ void turnLane(const HairVariation& variation, glm::vec3 normalHd, float lengthM,
     const auto within = [lengthM](float rad, float mostM) {
         return std::abs(rad) * lengthM > mostM ? std::copysign(mostM / lengthM, rad) : rad;
     };
+    const float loose = 1.0F - clump;
     const glm::vec3 rootHd = nodeAt(0);
     const glm::vec3 wayHd = nodeAt(1) - rootHd;
     // Around an axis to the side of its first segment it goes towards the normal.
@@ -139,8 +140,8 @@ void turnLane(const HairVariation& variation, glm::vec3 normalHd, float lengthM,
     const bool hasSide = sine > 1e-3F * standing && sine > 0.0F;
     const glm::vec3 axis = hasSide ? sideHd / sine : anyTangent(normalHd);
     const float upright = standing > 0.0F ? standing / std::sqrt(standing * standing + sine * sine) : 0.0F;
-    const Turn across(normalHd, within(variation.acrossRad, kMostAcrossM));
-    const Turn lean(axis, within(variation.leanRad * upright, kMostAcrossM) +
+    const Turn across(normalHd, within(variation.acrossRad * loose, kMostAcrossM));
+    const Turn lean(axis, within(variation.leanRad * (upright * loose), kMostAcrossM) +
                               (hasSide ? within(variation.liftRad, kMostLiftM) : 0.0F));
     for (int node = 1; node < nodes; ++node) {
         const glm::vec3 turned = rootHd + across.of(lean.of(nodeAt(node) - rootHd));

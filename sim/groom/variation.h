@@ -29,7 +29,8 @@ struct HairVariation
 [[nodiscard]] glm::vec3 greyed(glm::vec3 colour, float chance);
 
 /// Turns a lane of `nodesHd` [nodes][3][kLanes] around its first node, a long hair by less, so that its tip stays among
-/// others. Lengths stay. Hd, m.
-void turnLane(const HairVariation& variation, glm::vec3 normalHd, float lengthM, int nodes, float* nodesHd);
+/// others, and one that keeps to a lock the less the closer it does: `clump` 0..1. Lengths stay. Hd, m.
+void turnLane(const HairVariation& variation, float clump, glm::vec3 normalHd, float lengthM, int nodes,
+              float* nodesHd);
 
 } // namespace hairpaint::sim

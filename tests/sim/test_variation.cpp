@@ -49,21 +49,21 @@ const std::vector<Amount>& amounts()
 }
 
 /// A ball full of curly, clumped hair.
-GroomInput ball(const VariationSettings& variation)
+GroomInput ball(const VariationSettings& variation, float clump)
 {
     GroomInput::Group group = uniformGroup();
     group.settings.greatestDensityPerM2 = 1e5F;
     group.settings.basisHairs = 256;
     group.settings.variation = variation;
     group.maps[MapSlot::Curl] = uniformMap(0.5F);
-    group.maps[MapSlot::Clump] = uniformMap(0.6F);
+    group.maps[MapSlot::Clump] = uniformMap(clump);
     return inputOf(std::make_shared<const Skin>(makeBallHead(48, 0.1F)), group);
 }
 
-std::shared_ptr<const Groom> grownWith(const VariationSettings& variation)
+std::shared_ptr<const Groom> grownWith(const VariationSettings& variation, float clump = 0.6F)
 {
     GroomBuilder builder;
-    return builder.update(ball(variation)).grooms[0];
+    return builder.update(ball(variation, clump)).grooms[0];
 }
 
 std::vector<glm::vec3> nodesOf(const Groom& groom, std::size_t slot)
@@ -133,8 +133,8 @@ private Q_SLOTS:
     void turnedHairKeepsItsLengthAndItsRoot()
     {
         const VariationSettings settings{.crossing = 0.3F, .flyaways = 0.2F};
-        const auto plain = grownWith({});
-        const auto turned = grownWith(settings);
+        const auto plain = grownWith({}, 0.0F);
+        const auto turned = grownWith(settings, 0.0F);
         float furthest = 0.0F;
         int moved = 0;
         for (std::size_t slot = 0; slot < plain->roots->count(); ++slot) {
@@ -152,6 +152,19 @@ private Q_SLOTS:
         }
         QVERIFY(moved > 1000);
         QVERIFY2(furthest < 0.085F, qPrintable(QString::number(furthest)));
+    }
+
+    void hairThatKeepsToItsLockLiesAcrossNoOther()
+    {
+        const auto plain = grownWith({}, 1.0F);
+        const auto turned = grownWith({.crossing = 0.3F}, 1.0F);
+        int locked = 0;
+        for (std::uint32_t slot = 0; slot < plain->roots->count(); ++slot)
+            if (plain->isDrawn(slot) && plain->roots->basisSlot[plain->roots->neighbours[slot][0]] != slot) {
+                ++locked;
+                QVERIFY(glm::distance(nodesOf(*plain, slot).back(), nodesOf(*turned, slot).back()) < 1e-5F);
+            }
+        QVERIFY(locked > 1000);
     }
 
     void locksCurlAsOne()
