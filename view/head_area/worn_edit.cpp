@@ -5,7 +5,6 @@
 #include "view/editing/editor_state.h"
 
 #include <algorithm>
-#include <ranges>
 
 namespace hairpaint::view {
 
@@ -21,7 +20,7 @@ void addWornAt(EditorState& editor, model::WornKind kind, const sim::SurfacePoin
     if (!spec.drawn())
         editor.options().setCollidersShown(true);
     // The newest of its kind is the last one.
-    editor.options().setChosenWorn(std::ranges::find(all | std::views::reverse, kind, &model::Worn::kind)->id);
+    editor.options().setChosenWorn(std::ranges::find(all.rbegin(), all.rend(), kind, &model::Worn::kind)->id);
 }
 
 void removeChosenWorn(EditorState& editor)
