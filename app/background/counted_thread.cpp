@@ -10,22 +10,22 @@ namespace {
 
 std::atomic<int> countedThreads = 0;
 
-struct Counted
-{
-    Counted() { ++countedThreads; }
-    ~Counted() { --countedThreads; }
-    Counted(const Counted&) = delete;
-    Counted& operator=(const Counted&) = delete;
-    Counted(Counted&&) = delete;
-    Counted& operator=(Counted&&) = delete;
-};
-
 } // namespace
+
+ThreadCount::ThreadCount()
+{
+    ++countedThreads;
+}
+
+ThreadCount::~ThreadCount()
+{
+    --countedThreads;
+}
 
 std::thread countedThread(std::function<void()> work)
 {
     // Counted from here on: whoever starts it may ask at once.
-    return std::thread([work = std::move(work), counted = std::make_unique<Counted>()]() mutable {
+    return std::thread([work = std::move(work), counted = std::make_unique<ThreadCount>()]() mutable {
         work();
         work = nullptr;
         counted.reset();

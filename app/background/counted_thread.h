@@ -7,6 +7,18 @@
 
 namespace hairpaint::app {
 
+/// Counts as one of them as long as it lives: owned by a thread that was started otherwise and is left to itself.
+class ThreadCount
+{
+public:
+    ThreadCount();
+    ~ThreadCount();
+    ThreadCount(const ThreadCount&) = delete;
+    ThreadCount& operator=(const ThreadCount&) = delete;
+    ThreadCount(ThreadCount&&) = delete;
+    ThreadCount& operator=(ThreadCount&&) = delete;
+};
+
 /// To be joined or detached. `work` owns all that it uses, and is gone when the thread is no longer counted.
 [[nodiscard]] std::thread countedThread(std::function<void()> work);
 /// Any thread.

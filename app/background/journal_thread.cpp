@@ -129,7 +129,8 @@ struct JournalThread::Shared
 {
     Shared(QString root, std::function<void(const QString&)> whatToTell) : desk(root), told(std::move(whatToTell)) {}
 
-    Desk desk; ///< The thread's alone.
+    std::optional<ThreadCount> count; ///< Once it is left; goes after all else.
+    Desk desk;                        ///< The thread's alone.
 
     std::mutex mutex; ///< Of what follows.
     std::condition_variable changed;
@@ -144,7 +145,7 @@ struct JournalThread::Shared
 
 JournalThread::JournalThread(QString root, std::function<void(const QString& problem)> told)
     : m_shared(std::make_shared<Shared>(std::move(root), std::move(told))),
-      m_thread(countedThread([shared = m_shared] { work(*shared); }))
+      m_thread([shared = m_shared] { work(*shared); })
 {}
 
 JournalThread::~JournalThread()
@@ -154,6 +155,8 @@ JournalThread::~JournalThread()
         const std::scoped_lock lock(m_shared->mutex);
         m_shared->told = nullptr;
         m_shared->isToStop = true;
+        if (!isDone)
+            m_shared->count.emplace();
     }
     m_shared->changed.notify_all();
     if (isDone)
