@@ -1243,12 +1243,12 @@
         <translation>lleva a un archivo sin nombre, cuyo lugar nada puede ocupar; elige otro nombre</translation>
     </message>
     <message>
-        <source>something worn in it is of a kind that is not known to this one</source>
-        <translation>esta versión no conoce el tipo de algo que se lleva en él</translation>
-    </message>
-    <message>
         <source>What is worn in the hair is lost.</source>
         <translation>Se ha perdido lo que se lleva en el pelo.</translation>
+    </message>
+    <message>
+        <source>something worn in it is of a kind that is not known to this one</source>
+        <translation>esta versión no conoce el tipo de algo que se lleva en él</translation>
     </message>
 </context>
 <context>
@@ -3152,8 +3152,8 @@
 <context>
     <name>hairpaint::app::Journal</name>
     <message>
-        <source>its disk does not answer</source>
-        <translation>su disco no responde</translation>
+        <source>its disk does not answer; save the project to another disk</source>
+        <translation>su disco no responde; guarda el proyecto en otro disco</translation>
     </message>
 </context>
 <context>

@@ -87,7 +87,7 @@ void Journal::lookAfterFolder()
 {
     if (m_thread.isStuck() && !m_isStopped) {
         m_isStopped = true;
-        Q_EMIT stopped(tr("its disk does not answer"));
+        Q_EMIT stopped(tr("its disk does not answer; save the project to another disk"));
     }
     if (m_written && m_document.modified() && !m_isStopped)
         post({.kind = JournalThread::Task::Kind::LookAfter});

@@ -89,6 +89,7 @@ const QStringList& reasonsOfDamage()
         QStringLiteral("its head '%1' is not known to this one"),
         QStringLiteral("its project.json is too large or nested too deep"),
         QStringLiteral("its project.json can't be understood"),
+        QStringLiteral("something worn in it is of a kind that is not known to this one"),
         QStringLiteral("its way of drawing roots is not known to this one"),
         QStringLiteral("what it holds is damaged"),
     };
