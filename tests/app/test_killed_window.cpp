@@ -54,8 +54,15 @@ protected:
     {
         if (auto* offered = qobject_cast<RecoveryDialog*>(&dialog))
             offered->accept();
+        if (m_exported.isEmpty())
+            return false;
+        if (auto* box = qobject_cast<QMessageBox*>(&dialog);
+            box != nullptr && box->button(QMessageBox::Yes) != nullptr) {
+            box->button(QMessageBox::Yes)->click(); // The export before is replaced.
+            return true;
+        }
         auto* files = qobject_cast<QFileDialog*>(&dialog);
-        if (files == nullptr || m_exported.isEmpty())
+        if (files == nullptr)
             return false;
         files->findChild<QLineEdit*>()->setText(m_exported);
         pressAccept(*files);

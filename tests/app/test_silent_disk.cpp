@@ -190,6 +190,7 @@ private Q_SLOTS:
     void aSilentDataFolderHoldsNothingUp()
     {
         QFETCH(bool, isSaved);
+        QDir(JournalFolder::root()).removeRecursively(); // What other tests left.
         const QByteArray data = QFile::encodeName(QFileInfo(JournalFolder::root()).absolutePath());
         openSaved();
         m_window->keepWork();
