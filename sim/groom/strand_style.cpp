@@ -148,9 +148,11 @@ StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, con
                     const HairVariation& own, float detail)
 {
     StrandStyle style;
-    style.lengthM = lengthOf(settings, values.length) * own.length;
-    const Coil coil = coilOf(settings, values.curl, values.curlSize, style.lengthM);
-    style.turns = coil.turns;
+    // What is cut off takes its turns along, so that the hairs of a lock stay in step.
+    const float uncutM = lengthOf(settings, values.length);
+    const Coil coil = coilOf(settings, values.curl, values.curlSize, uncutM);
+    style.lengthM = uncutM * own.length;
+    style.turns = coil.turns * own.length;
     style.curlRadiusM = coil.radiusM;
     style.phase = chance.phase;
     style.variation = chance.variation;

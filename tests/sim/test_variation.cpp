@@ -167,6 +167,21 @@ private Q_SLOTS:
         QVERIFY(locked > 1000);
     }
 
+    void whatIsCutOffTakesItsTurnsAlong()
+    {
+        const auto plain = grownWith({});
+        const auto cut = grownWith({.length = 0.5F});
+        float shortest = 1.0F;
+        for (std::uint32_t slot = 0; slot < plain->roots->count(); ++slot)
+            if (plain->isDrawn(slot)) {
+                const float kept = cut->style(slot).lengthM / plain->style(slot).lengthM;
+                shortest = std::min(shortest, kept);
+                QVERIFY(std::abs(cut->style(slot).turns - kept * plain->style(slot).turns) < 1e-4F);
+                QCOMPARE(cut->style(slot).curlRadiusM, plain->style(slot).curlRadiusM);
+            }
+        QVERIFY(shortest < 0.55F);
+    }
+
     void locksCurlAsOne()
     {
         const auto groom = grownWith({.curl = 0.3F});

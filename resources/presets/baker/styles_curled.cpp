@@ -37,6 +37,10 @@ Style ringlets()
                 }};
     style.settings.greatestCurlRadiusM = 0.018F;
     // One ringlet a basis hair.
+    // Locks hold together: what differs within one blurs it.
+    style.settings.variation.crossing = 0.02F;
+    style.settings.variation.curl = 0.05F;
+    style.settings.variation.flyaways = 0.006F;
     style.settings.basisHairs = 1800;
     return style;
 }
