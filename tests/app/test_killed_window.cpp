@@ -423,6 +423,7 @@ private Q_SLOTS:
             exports += exported.isEmpty() ? 0 : 1;
             const std::vector<Moment> moments = momentsIn(log);
             const QString written = contentOf(log);
+            const std::size_t foldersLeft = JournalFolder::abandoned(JournalFolder::root()).size();
             std::optional<model::RecoveredWork> work = leftWork();
             // What is killed while it restores has restored, or leaves all as it was.
             if (work && (kills < 5 || turn % 3 == 0)) {
@@ -470,11 +471,12 @@ private Q_SLOTS:
             if (lost < 0 && !work && written.endsWith(QLatin1StringView(kGoesBack)))
                 lost = std::ranges::any_of(moments, [&](const Moment& m) { return m.content == came; }) ? 0 : -1;
             QVERIFY2(lost >= 0, qPrintable(QStringLiteral("Kill %1: what came back from the %2 (%5) is none of the %3 "
-                                                          "last moments; log:\n%4")
+                                                          "last moments; %6 folders; log:\n%4")
                                                .arg(turn)
                                                .arg(work ? QLatin1String("journal") : QLatin1String("file"))
                                                .arg(moments.size() - oldest)
-                                               .arg(written.right(kMostShown), QString::fromLatin1(came))));
+                                               .arg(written.right(kMostShown), QString::fromLatin1(came))
+                                               .arg(foldersLeft)));
             stepsLost += lost > 0 ? 1 : 0;
             if (turn % 50 == 49)
                 qInfo("%d killed, %d from the journal", turn + 1 - first, fromJournal);
