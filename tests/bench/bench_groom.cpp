@@ -1,4 +1,5 @@
-// groom_build/hairs:H: grooming H hairs from their maps, with roots and neighbours ready.
+// groom_build/hairs:H/varied:V: grooming H hairs from their maps, with roots and neighbours ready; varied 1: each hair
+// differs in all that variation has.
 // groom_update_dab/hairs:H: bringing the groom up to date after a dab over one per cent of the head.
 // memory/hairs:H: what hairs of 8 nodes take with roots, groom, basis hairs' motion and one frame; bytes_per_hair.
 // groom_update_comb/hairs:H: the same after a dab of the comb, whose hairs lie across the head for up to 16 cm.
@@ -32,7 +33,10 @@ sim::GroomInput repainted(const sim::GroomInput& input, std::uint16_t length)
 
 void groomBuild(benchmark::State& state)
 {
-    const sim::GroomInput input = bench::sceneOf(static_cast<int>(state.range(0)), 8, false);
+    sim::GroomInput input = bench::sceneOf(static_cast<int>(state.range(0)), 8, false);
+    if (state.range(1) != 0)
+        input.groups.front().settings.variation = {
+            .length = 0.08F, .curl = 0.12F, .width = 0.2F, .crossing = 0.08F, .flyaways = 0.012F, .grey = 0.1F};
     sim::GroomBuilder builder;
     benchmark::DoNotOptimize(builder.update(input));
     std::uint16_t length = 20000;
@@ -108,8 +112,9 @@ BENCHMARK(memoryOfHair)
 #endif
 BENCHMARK(groomBuild)
     ->Name("groom_build")
-    ->ArgNames({"hairs"})
-    ->Arg(100000)
+    ->ArgNames({"hairs", "varied"})
+    ->Args({100000, 0})
+    ->Args({100000, 1})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK(groomUpdate<bench::dabbed>)
