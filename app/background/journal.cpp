@@ -14,8 +14,8 @@ constexpr int kLookMs = 10'000; ///< Between looks after the folder.
 
 } // namespace
 
-Journal::Journal(model::Document& document, QString root, QObject* parent)
-    : QObject(parent), m_document(document), m_thread(std::move(root), [this](const QString& problem) {
+Journal::Journal(model::Document& document, const QString& root, QObject* parent)
+    : QObject(parent), m_document(document), m_thread(root, [this](const QString& problem) {
           ++m_untold;
           QMetaObject::invokeMethod(
               this, [this, problem] { tell(problem); }, Qt::QueuedConnection);

@@ -23,7 +23,7 @@ class Journal : public QObject
 {
     Q_OBJECT
 public:
-    Journal(model::Document& document, QString root, QObject* parent = nullptr);
+    Journal(model::Document& document, const QString& root, QObject* parent = nullptr);
     ~Journal() override; ///< Flushes; what is on the disk stays, for the next start.
     /// How long a disk that does not answer is waited for.
     void setPatience(std::chrono::milliseconds patience) { m_thread.setPatience(patience); }

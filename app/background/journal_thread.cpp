@@ -127,7 +127,9 @@ private:
 /// Owned by both threads, since either may be gone first.
 struct JournalThread::Shared
 {
-    Shared(QString root, std::function<void(const QString&)> whatToTell) : desk(root), told(std::move(whatToTell)) {}
+    Shared(const QString& root, std::function<void(const QString&)> whatToTell)
+        : desk(root), told(std::move(whatToTell))
+    {}
 
     std::optional<ThreadCount> count; ///< Once it is left; goes after all else.
     Desk desk;                        ///< The thread's alone.
@@ -143,9 +145,8 @@ struct JournalThread::Shared
     std::function<void(const QString& problem)> told; ///< Null once nobody listens.
 };
 
-JournalThread::JournalThread(QString root, std::function<void(const QString& problem)> told)
-    : m_shared(std::make_shared<Shared>(std::move(root), std::move(told))),
-      m_thread([shared = m_shared] { work(*shared); })
+JournalThread::JournalThread(const QString& root, std::function<void(const QString& problem)> told)
+    : m_shared(std::make_shared<Shared>(root, std::move(told))), m_thread([shared = m_shared] { work(*shared); })
 {}
 
 JournalThread::~JournalThread()

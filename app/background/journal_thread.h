@@ -34,7 +34,7 @@ public:
 
     /// `root`: where the journal's folder is made with the first task. `told`: called on the thread after each task,
     /// with a clause where the journal lacks something now; not after the destructor has begun.
-    JournalThread(QString root, std::function<void(const QString& problem)> told);
+    JournalThread(const QString& root, std::function<void(const QString& problem)> told);
     /// Waits as finish() does, and leaves the thread where that fails: it ends when the disk answers.
     ~JournalThread();
     JournalThread(const JournalThread&) = delete;

@@ -64,9 +64,8 @@ public:
                 return refuse(
                     say(QT_TRANSLATE_NOOP("Files", "something worn in it is of a kind that is not known to this one")),
                     Clause::Cure::NewerProgram);
-            if (spec == nullptr || !item.isObject() || countOf(m_all, spec->kind) >= spec->limit)
-                owner.complain(key);
-            else if (!parseOne(item.toObject(), *spec, problem))
+            if (spec == nullptr || !item.isObject() || countOf(m_all, spec->kind) >= spec->limit ||
+                !parseOne(item.toObject(), *spec, problem))
                 owner.complain(key);
         }
         if (!problem.isEmpty())

@@ -30,7 +30,8 @@ struct SettingChoice
 };
 
 /// A row of the table; what a setting affects, sim::affectsOf(member) tells. Numbers, switches (0 or 1) and choices (an
-/// index) are all read and written as a double, in SI units.
+/// index) are all read and written as a double, in SI units. Its members stand as rows are read.
+// NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding)
 struct GroupSetting
 {
     const char* key; ///< In files; "physics.friction" is the key friction of the object physics.

@@ -261,7 +261,7 @@ private Q_SLOTS:
         std::size_t triangles = 0;
         const QJsonArray accessors = glb.json[QLatin1String("accessors")].toArray();
         const QJsonArray views = glb.json[QLatin1String("bufferViews")].toArray();
-        for (const QJsonValue& mesh : glb.json[QLatin1String("meshes")].toArray()) {
+        for (const QJsonValue mesh : glb.json[QLatin1String("meshes")].toArray()) {
             const QJsonValue primitive = mesh[QLatin1String("primitives")][0];
             const QJsonValue position =
                 accessors[primitive[QLatin1String("attributes")][QLatin1String("POSITION")].toInt()];

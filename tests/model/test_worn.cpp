@@ -150,8 +150,8 @@ private Q_SLOTS:
             const QJsonValue positions =
                 json[QLatin1String("accessors")][attributes[QLatin1String("POSITION")].toInt()];
             for (int axis = 0; axis < 3; ++axis) {
-                const double centre = static_cast<double>(worn.shape.centreHd[axis]);
-                const double radius = static_cast<double>(worn.shape.semiAxesM.x);
+                const auto centre = static_cast<double>(worn.shape.centreHd[axis]);
+                const auto radius = static_cast<double>(worn.shape.semiAxesM.x);
                 QVERIFY(std::abs(positions[QLatin1String("min")][axis].toDouble() - centre + radius) < 1e-4);
                 QVERIFY(std::abs(positions[QLatin1String("max")][axis].toDouble() - centre - radius) < 1e-4);
             }
@@ -258,7 +258,7 @@ private Q_SLOTS:
     /// As versions 1 and 2 wrote them until ids were given.
     void ellipsoidsWithoutIdsGetThem()
     {
-        const Project project = sample();
+        const Project& project = sample();
         QJsonObject root = rootOf(projectToJson(project).value_or(QByteArray()));
         QJsonArray ellipsoids = root.value(QLatin1String("ellipsoids")).toArray();
         QCOMPARE(ellipsoids.size(), qsizetype{2});
