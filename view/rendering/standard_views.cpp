@@ -50,6 +50,7 @@ std::optional<StandardView> standardViewNamed(std::string_view name)
 std::vector<std::string_view> standardViewNames()
 {
     std::vector<std::string_view> names;
+    names.reserve(kViews.size());
     for (const NamedView& entry : kViews)
         names.push_back(entry.name);
     return names;
