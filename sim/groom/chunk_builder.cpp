@@ -76,7 +76,7 @@ public:
             hair.style.phase += (hair.basisPhase - hair.style.phase) * clump;
             varyCurl(clump > kKeepsStep ? variationOf(variation, roots.seed, hair.basisRank) : hair.own, hair.style);
             if (hair.own.isTurned())
-                turnLane(hair.own, clump, roots.normalHd[hair.slot], hair.style.lengthM, m_clump.nodes,
+                turnLane(hair.own, clump, roots.frame(hair.slot), hair.style.lengthM, m_clump.nodes,
                          nodesHd.data() + i);
             store(hair.slot, hair.style, {.clump = clump}, nodesHd.data() + i);
         }

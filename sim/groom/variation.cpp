@@ -45,18 +45,11 @@ enum Which : std::uint64_t
     Grey
 };
 
-/// By an angle around a unit axis, from the tangent of its half: no library's sine, so the same bytes everywhere.
+/// By an angle around a unit axis.
 class Turn
 {
 public:
-    Turn(glm::vec3 axis, float rad) : m_axis(axis)
-    {
-        const float half = 0.5F * rad;
-        const float tangent = half + half * half * half * (1.0F / 3.0F);
-        const float square = tangent * tangent;
-        m_sine = 2.0F * tangent / (1.0F + square);
-        m_cosine = (1.0F - square) / (1.0F + square);
-    }
+    Turn(glm::vec3 axis, float rad) : m_axis(axis), m_sine(sinDet(rad)), m_cosine(cosDet(rad)) {}
     [[nodiscard]] glm::vec3 of(glm::vec3 v) const
     {
         return v * m_cosine + glm::cross(m_axis, v) * m_sine + m_axis * (glm::dot(m_axis, v) * (1.0F - m_cosine));
@@ -64,16 +57,9 @@ public:
 
 private:
     glm::vec3 m_axis;
-    float m_sine = 0.0F;
-    float m_cosine = 1.0F;
+    float m_sine;
+    float m_cosine;
 };
-
-glm::vec3 anyTangent(glm::vec3 normal)
-{
-    const glm::vec3 other = std::abs(normal.y) < 0.9F ? glm::vec3(0.0F, 1.0F, 0.0F) : glm::vec3(1.0F, 0.0F, 0.0F);
-    const glm::vec3 tangent = glm::cross(other, normal);
-    return tangent / std::sqrt(glm::dot(tangent, tangent));
-}
 
 } // namespace
 
@@ -119,7 +105,8 @@ glm::vec3 greyed(glm::vec3 colour, float chance)
     return glm::mix(kWhite * (1.0F + kDiffers * chance), colour, kKept);
 }
 
-void turnLane(const HairVariation& variation, float clump, glm::vec3 normalHd, float lengthM, int nodes, float* nodesHd)
+void turnLane(const HairVariation& variation, float clump, const SkinFrame& frame, float lengthM, int nodes,
+              float* nodesHd)
 {
     constexpr float kMostAcrossM = 0.04F; ///< Of the tip.
     constexpr float kMostLiftM = 0.02F;
@@ -134,13 +121,13 @@ void turnLane(const HairVariation& variation, float clump, glm::vec3 normalHd, f
     const glm::vec3 rootHd = nodeAt(0);
     const glm::vec3 wayHd = nodeAt(1) - rootHd;
     // Around an axis to the side of its first segment it goes towards the normal.
-    const glm::vec3 sideHd = glm::cross(wayHd, normalHd);
+    const glm::vec3 sideHd = glm::cross(wayHd, frame.normal);
     const float sine = std::sqrt(glm::dot(sideHd, sideHd));
-    const float standing = std::max(glm::dot(wayHd, normalHd), 0.0F);
+    const float standing = std::max(glm::dot(wayHd, frame.normal), 0.0F);
     const bool hasSide = sine > 1e-3F * standing && sine > 0.0F;
-    const glm::vec3 axis = hasSide ? sideHd / sine : anyTangent(normalHd);
+    const glm::vec3 axis = hasSide ? sideHd / sine : frame.x;
     const float upright = standing > 0.0F ? standing / std::sqrt(standing * standing + sine * sine) : 0.0F;
-    const Turn across(normalHd, within(variation.acrossRad * loose, kMostAcrossM));
+    const Turn across(frame.normal, within(variation.acrossRad * loose, kMostAcrossM));
     const Turn lean(axis, within(variation.leanRad * (upright * loose), kMostAcrossM) +
                               (hasSide ? within(variation.liftRad, kMostLiftM) : 0.0F));
     for (int node = 1; node < nodes; ++node) {

@@ -1,7 +1,10 @@
 // How a hair differs from what the maps say, by its rank: no two hairs of a head are alike.
 #pragma once
 
-#include "sim/groom/groom.h"
+#include "sim/groom/group_settings.h"
+#include "sim/skin/skin_frame.h"
+
+#include <glm/glm.hpp>
 
 #include <cstdint>
 
@@ -29,8 +32,9 @@ struct HairVariation
 [[nodiscard]] glm::vec3 greyed(glm::vec3 colour, float chance);
 
 /// Turns a lane of `nodesHd` [nodes][3][kLanes] around its first node, a long hair by less, so that its tip stays among
-/// others, and one that keeps to a lock the less the closer it does: `clump` 0..1. Lengths stay. Hd, m.
-void turnLane(const HairVariation& variation, float clump, glm::vec3 normalHd, float lengthM, int nodes,
+/// others, and one that keeps to a lock the less the closer it does: `clump` 0..1. `frame`: at its root. Lengths stay.
+/// Hd, m.
+void turnLane(const HairVariation& variation, float clump, const SkinFrame& frame, float lengthM, int nodes,
               float* nodesHd);
 
 } // namespace hairpaint::sim

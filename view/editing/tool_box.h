@@ -83,7 +83,7 @@ private:
     [[nodiscard]] std::size_t index(model::ToolId id) const;
     /// Puts the amounts on the active group's range.
     void followAmounts(bool tell);
-    /// Tells why the active tool can't start on the target; false then. `skin`: what it would work on.
+    /// Tells why the active tool can't start on the target; false then.
     bool mayStart(model::Area area, Qt::KeyboardModifiers modifiers);
     void tellOfCtrl(model::Area area, Qt::KeyboardModifiers modifiers);
     /// Why what Ctrl does besides can't be done.
