@@ -58,7 +58,7 @@ model::Project baldProject()
 {
     model::Project project = model::newProject();
     for (model::HairGroup& group : project.groups)
-        group.settings.variation = model::naturalVariation();
+        model::makeNatural(group.settings);
     return project;
 }
 

@@ -97,6 +97,9 @@ constexpr GroupSetting kSettings[] = {
      QT_TRANSLATE_NOOP("GroupSchema", "How much the diameters of hairs differ"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
     {"variation.grey", &VariationSettings::grey, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Grey hairs"),
      QT_TRANSLATE_NOOP("GroupSchema", "How many of the hairs are grey"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
+    {"variation.parting_m", &VariationSettings::parting, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Loose parting"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How far from a parting hairs still cross it"),
+     QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.01, 0.0, 10.0, 1},
     {"braid_spacing_m", &GroupSettings::braidSpacingM, kBraid, QT_TRANSLATE_NOOP("GroupSchema", "Spacing"),
      QT_TRANSLATE_NOOP("GroupSchema", "Distance between braids in one painted patch"),
      QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.005, 2.0, 0.5, 60.0, 1, 2.0F},
@@ -106,6 +109,10 @@ constexpr GroupSetting kSettings[] = {
     {"physics.volume_m", &PhysicsSettings::volumeM, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Volume"),
      QT_TRANSLATE_NOOP("GroupSchema", "Thickness of the whole coat of hair"), QT_TRANSLATE_NOOP("GroupSchema", "mm"),
      1000.0, 0.0, 0.05, 0.0, 50.0, 1, 1.5F},
+    {"physics.volume_rise_m", &PhysicsSettings::volumeRiseM, kMotion,
+     QT_TRANSLATE_NOOP("GroupSchema", "Volume rises over"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How far from its roots hair reaches its height in the coat"),
+     QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.0, 0.2, 0.0, 15.0, 1},
     {"physics.stiffness_m", &PhysicsSettings::stiffnessM, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Stands up to"),
      QT_TRANSLATE_NOOP("GroupSchema", "A hair so long nearly carries itself; shorter hair stands, longer hair hangs"),
      QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.0, 0.3, 0.0, 20.0, 1, 2.0F},
@@ -126,6 +133,9 @@ constexpr GroupSetting kSettings[] = {
     {"material.colour_variation", &StrandMaterial::colourVariation, kLook,
      QT_TRANSLATE_NOOP("GroupSchema", "Colour variation"),
      QT_TRANSLATE_NOOP("GroupSchema", "Difference between neighbouring hairs"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
+    {"material.scalp_tint", &StrandMaterial::scalpTint, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Scalp tint"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How much the roots darken the skin where they are dense"), "%", 100.0, 0.0, 1.0,
+     0.0, 100.0},
     {"material.tip_alpha", &StrandMaterial::tipAlpha, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Opacity at the tip"),
      QT_TRANSLATE_NOOP("GroupSchema", "Less makes hair thin out"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
     {"material.root_alpha", &StrandMaterial::rootAlpha, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Opacity at the root"),
@@ -185,9 +195,12 @@ void GroupSetting::writeShown(GroupSettings& settings, double value, double scal
     write(settings, std::clamp(countsOnScalp ? std::ceil(value / scalpFraction) : value / shownPerSi, least, greatest));
 }
 
-sim::VariationSettings naturalVariation()
+void makeNatural(GroupSettings& settings)
 {
-    return {.length = 0.08F, .curl = 0.12F, .width = 0.2F, .crossing = 0.08F, .flyaways = 0.012F};
+    settings.variation = {
+        .length = 0.08F, .curl = 0.12F, .width = 0.2F, .crossing = 0.08F, .flyaways = 0.012F, .parting = 0.003F};
+    settings.physics.volumeRiseM = 0.05F;
+    settings.material.scalpTint = 0.6F;
 }
 
 GroupSettings newGroupSettings(double scalpFraction)

@@ -63,9 +63,9 @@ struct GroupSetting
 [[nodiscard]] std::span<const GroupSetting> groupSchema();
 /// The row of that key; there must be one.
 [[nodiscard]] const GroupSetting& groupSetting(QLatin1StringView key);
-/// How much the hairs of people differ, grey ones aside. What is begun by hand starts with it; what files and scripts
-/// begin is exactly what its maps say.
-[[nodiscard]] sim::VariationSettings naturalVariation();
+/// As hair is on people: no two alike, partings that hairs cross. What is begun by hand starts with it; what files and
+/// scripts begin is exactly what its maps say.
+void makeNatural(sim::GroupSettings& settings);
 /// What a new group starts with: 4,096 basis hairs on the scalp.
 [[nodiscard]] sim::GroupSettings newGroupSettings(double scalpFraction);
 [[nodiscard]] QString schemaText(const char* text); ///< Translated; empty stays empty.

@@ -45,7 +45,7 @@ public:
             if (centre != kNoCentre)
                 return braid(slot, style, chance, centre);
         }
-        m_lay.add(layRootOf(roots, slot, chance), style.lengthM);
+        m_lay.add(layRootOf(m_inputs.settings, roots, slot, chance), style.lengthM);
         m_laid[m_waiting++] = {.slot = slot, .style = style, .own = own};
         if (m_lay.isFull())
             finish();

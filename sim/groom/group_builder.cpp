@@ -92,7 +92,7 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
         readKinds(maps, dirty.hairs);
         const std::optional<MapSampler> natural = samplerOf(head.natural);
         const LayInputs lay{maps[MapSlot::Direction], natural ? &*natural : nullptr, head.band ? &*m_layField : nullptr,
-                            settings.physics.volumeM};
+                            settings.physics.volumeM, settings.physics.volumeRiseM};
         dirty.hairs.forEach(
             [&](std::uint32_t slot) { dirty.basis.insert(roots->basisSlot[roots->neighbours[slot][0]]); });
         updateBasis(settings, maps, lay, dirty.basis);
@@ -242,7 +242,7 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
                 m_basisChanged[i] = 1;
             }
             basis[BasisQuantity::SegmentLength][i] = lengthM / static_cast<float>(nodeCount - 1);
-            batch.add(layRootOf(roots, slot, chanceOf(roots.seed, roots.rankOfSlot[slot])), lengthM);
+            batch.add(layRootOf(settings, roots, slot, chanceOf(roots.seed, roots.rankOfSlot[slot])), lengthM);
             added.push_back(i);
             if (batch.isFull())
                 store();

@@ -33,8 +33,10 @@ constexpr SettingEffect kSettingEffects[] = {
     {&VariationSettings::crossing, Affects::Hairs},
     {&VariationSettings::flyaways, Affects::Hairs},
     {&VariationSettings::grey, Affects::Hairs},
+    {&VariationSettings::parting, Affects::Hairs},
     // Hair is laid in the coat, and kept out of the ellipsoids by its height in it.
     {&PhysicsSettings::volumeM, Affects::Hairs | Affects::Motion},
+    {&PhysicsSettings::volumeRiseM, Affects::Hairs},
     {&PhysicsSettings::damping, Affects::Motion},
     {&PhysicsSettings::gravityScale, Affects::Motion},
     {&PhysicsSettings::windScale, Affects::Motion},
@@ -46,6 +48,7 @@ constexpr SettingEffect kSettingEffects[] = {
     {&StrandMaterial::rootAlpha, Affects::Look},
     {&StrandMaterial::tipAlpha, Affects::Look},
     {&StrandMaterial::colourVariation, Affects::Look},
+    {&StrandMaterial::scalpTint, Affects::Look},
 };
 
 /// The part of the settings that a member belongs to.

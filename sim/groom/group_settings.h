@@ -23,6 +23,9 @@ struct PhysicsSettings
     float stiffnessM = 0.05F;
     float friction = 0.4F;  ///< 0..1 on the head: fraction of the tangential motion lost in a step of contact.
     float volumeM = 0.008F; ///< m, 0..0.05: thickness of the whole coat; each hair lies at its own height in it.
+    /// m, 0..0.2: the length of hair from the root along which the coat gains its thickness, so that a parting is no
+    /// groove; hair that is short gains it sooner. At 0 as steeply as hair bends.
+    float volumeRiseM = 0.0F;
     friend bool operator==(const PhysicsSettings&, const PhysicsSettings&) = default;
 };
 
@@ -35,6 +38,7 @@ struct StrandMaterial
     float rootAlpha = 1.0F;        ///< 0..1.
     float tipAlpha = 0.35F;        ///< 0..1: strands thin out to the tip.
     float colourVariation = 0.12F; ///< 0..1: difference in lightness between neighbouring hairs.
+    float scalpTint = 0.0F;        ///< 0..1: how much its roots, where they are dense, colour the skin.
     friend bool operator==(const StrandMaterial&, const StrandMaterial&) = default;
 };
 
@@ -47,6 +51,9 @@ struct VariationSettings
     float crossing = 0.0F; ///< rad, 0..0.5: greatest angle by which a hair lies across its neighbours.
     float flyaways = 0.0F; ///< 0..0.2: fraction of the hairs that keep to no lock and stand off the coat.
     float grey = 0.0F;     ///< 0..1: fraction of the hairs that are grey.
+    /// m, 0..0.01: greatest distance from the line of a parting, or from the middle of a whorl, at which a hair lies to
+    /// the other side; the line itself wavers by half of it.
+    float parting = 0.0F;
     friend bool operator==(const VariationSettings&, const VariationSettings&) = default;
 };
 

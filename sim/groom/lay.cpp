@@ -17,8 +17,8 @@ std::size_t Lay::mostPassed(int nodes)
 {
     // Where a segment takes one step, one a segment; else steps are longer than half the longest.
     constexpr auto kOfShortSteps = static_cast<std::size_t>(kFurthestLayM / (0.5F * kLongestLayStepM)) + 2;
-    static_assert(kOfShortSteps <= kMostPassed && kMostNodes - 1 <= static_cast<int>(kMostPassed));
-    return std::max(static_cast<std::size_t>(nodes - 1), kOfShortSteps);
+    static_assert(kOfShortSteps < kMostPassed && kMostNodes <= static_cast<int>(kMostPassed));
+    return std::max(static_cast<std::size_t>(nodes - 1), kOfShortSteps) + 1; // That to which it has strayed.
 }
 
 void Lay::add(const LayRoot& root, float lengthM)
@@ -27,9 +27,11 @@ void Lay::add(const LayRoot& root, float lengthM)
     const DirectionVector painted = m_inputs.direction.vector(root.uv);
     const DirectionVector natural =
         m_inputs.natural != nullptr ? m_inputs.natural->vector(root.uv) : DirectionVector(0.0F);
+    m_strayedTo[m_count] = SkinBand::kNone;
     const glm::vec3 growth =
-        growthDirections(painted, m_inputs.natural != nullptr ? &natural : nullptr, root.positionHd, root.frame)
-            .of(falls);
+        strayed(root, falls,
+                growthDirections(painted, m_inputs.natural != nullptr ? &natural : nullptr, root.positionHd, root.frame)
+                    .of(falls));
     const float square = std::min(glm::dot(growth, growth), 1.0F);
     const glm::vec3 direction = growth + root.frame.normal * std::sqrt(1.0F - square);
     const float segmentM = lengthM / static_cast<float>(m_nodes - 1);
@@ -42,6 +44,9 @@ void Lay::add(const LayRoot& root, float lengthM)
     m_lanes.steps[lane] = std::max(std::ceil(segmentM / kLongestLayStepM), 1.0F);
     m_lanes.falls[lane] = falls;
     m_lanes.coatM[lane] = std::min(m_inputs.coatM, 0.001F + 0.12F * lengthM) * (0.3F + 0.7F * root.chance);
+    constexpr float kRisesWithin = 0.4F; // Of the length.
+    const float riseM = std::min(m_inputs.coatRiseM, kRisesWithin * lengthM);
+    m_lanes.perRise[lane] = riseM > 0.0F ? 1.0F / riseM : 0.0F;
     m_lanes.lies[lane] = square > kStandsBelow * kStandsBelow ? 1.0F : 0.0F;
     m_isUpright[lane] = square == 0.0F;
 }
@@ -60,6 +65,7 @@ void Lay::lay()
         m_lanes.steps[lane] = m_lanes.steps[0];
         m_lanes.falls[lane] = m_lanes.falls[0];
         m_lanes.coatM[lane] = m_lanes.coatM[0];
+        m_lanes.perRise[lane] = m_lanes.perRise[0];
         m_lanes.lies[lane] = m_lanes.lies[0];
     }
     std::ranges::fill(m_passed, SkinBand::kNone);
@@ -73,9 +79,28 @@ void Lay::lay()
         task.cells = m_inputs.field->cells();
     }
     layLanes(task);
-    for (std::size_t hair = 0; hair < m_count; ++hair)
+    for (std::size_t hair = 0; hair < m_count; ++hair) {
         if (m_isUpright[hair])
             straighten(hair);
+        if (m_strayedTo[hair] != SkinBand::kNone)
+            *std::ranges::find(std::span(m_passed).subspan(hair * kMostPassed, kMostPassed), SkinBand::kNone) =
+                m_strayedTo[hair];
+    }
+}
+
+glm::vec3 Lay::strayed(const LayRoot& root, float falls, glm::vec3 growth)
+{
+    constexpr float kOpposed = -0.2F; ///< Cosine: along one side of a parting hairs agree.
+    if (m_inputs.field == nullptr || root.strayHd == glm::vec3(0.0F))
+        return growth;
+    const std::int32_t cell = m_inputs.field->band()->cellAt(root.positionHd + root.strayHd);
+    m_strayedTo[m_count] = cell;
+    if (cell == SkinBand::kNone)
+        return growth;
+    const glm::vec3 there = m_inputs.field->cells()[cell].directions.of(falls);
+    const glm::vec3 along = there - root.frame.normal * glm::dot(there, root.frame.normal);
+    const float together2 = glm::dot(along, along) * glm::dot(growth, growth);
+    return glm::dot(along, growth) < kOpposed * std::sqrt(together2) ? along : growth;
 }
 
 void Lay::straighten(std::size_t hair)

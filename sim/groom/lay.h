@@ -20,6 +20,8 @@ struct LayRoot
     SkinFrame frame;
     glm::vec2 uv{0.0F};
     float chance = 0.5F; ///< 0..1, the hair's own: its height in the coat.
+    /// From where on the skin it takes its direction, from the root; 0 unless it is one that may cross a parting.
+    glm::vec3 strayHd{0.0F};
 };
 
 /// Whether a direction map lets every hair stand along its normal.
@@ -32,6 +34,7 @@ struct LayInputs
     const MapSampler* natural = nullptr; ///< The head's stream; null where it has none.
     const LayField* field = nullptr;     ///< Of that map; null where isUpright(direction).
     float coatM = 0.0F;                  ///< Thickness of the coat.
+    float coatRiseM = 0.0F;              ///< Along which it is gained; see PhysicsSettings::volumeRiseM.
 };
 
 /// Lays up to kLanes hairs at once. How one lies does not depend on the others. One thread; must not outlive its
@@ -64,12 +67,15 @@ private:
 
     /// To the last bit.
     void straighten(std::size_t hair);
+    /// `growth`, or that beyond a parting that is nearer than the hair strays; notes the cell that it depends on.
+    [[nodiscard]] glm::vec3 strayed(const LayRoot& root, float falls, glm::vec3 growth);
 
     LayInputs m_inputs;
     int m_nodes;
     std::size_t m_count = 0;
     LayLanes m_lanes;
     std::array<bool, kLanes> m_isUpright{};
+    std::array<std::int32_t, kLanes> m_strayedTo{};                                   ///< Cell, or SkinBand::kNone.
     std::array<float, std::size_t{kMostNodes} * StrandBlocks::kNodeStride> m_nodesHd; ///< Written where read.
     std::array<std::int32_t, std::size_t{kLanes} * kMostPassed> m_passed;
 };

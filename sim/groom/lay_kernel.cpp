@@ -78,6 +78,8 @@ HWY_INLINE void layFrom(const LayTask& task, std::size_t lane)
     const Lanes steps = row(lanes.steps);
     const Lanes falls = row(lanes.falls);
     const Lanes coat = row(lanes.coatM);
+    const Lanes perRise = row(lanes.perRise);
+    const bool anyRises = any(perRise > 0.0F);
     const Lanes step = segment / steps;
     const Lanes perClimb = one / most(step, kTurnM);
     const Lanes diving = 0.0F - (kSteepest + falls * (kSteepestOfLong - kSteepest));
@@ -128,7 +130,14 @@ HWY_INLINE void layFrom(const LayTask& task, std::size_t lane)
                 const Yes atEdge = held & (path < kEdgeM);
                 if (any(atEdge))
                     growth = goingOn(atEdge, direction, normal, growth, flatness);
-                const Lanes sine = least(most((coat - height) * perClimb, diving), kSteepest);
+                Lanes aim = coat;
+                if (anyRises) {
+                    // A head's curve falls off with the square of the path, too: nothing stands over what is nearer to
+                    // the root.
+                    const Lanes risen = least((path + step) * perRise, one);
+                    aim = select(perRise > 0.0F, coat * (risen * risen), coat);
+                }
+                const Lanes sine = least(most((aim - height) * perClimb, diving), kSteepest);
                 const Lanes sine2 = sine * sine;
                 const Lanes cosine = one - sine2 * (0.5F + 0.125F * sine2);
                 const Lanes flat = flatness - kStandsBelow;

@@ -30,10 +30,11 @@ struct LayLanes
     std::array<Row, 3> rootHd{};
     std::array<Row, 3> directionHd{}; ///< In which it leaves the skin; unit.
     Row segmentM{};
-    Row steps{}; ///< Steps per segment.
-    Row falls{}; ///< See fallFraction().
-    Row coatM{}; ///< Height at which it lies.
-    Row lies{};  ///< 1 where it lies on the head at first, else 0.
+    Row steps{};   ///< Steps per segment.
+    Row falls{};   ///< See fallFraction().
+    Row coatM{};   ///< Height at which it lies.
+    Row perRise{}; ///< 1/m: by what the coat is gained along the path; 0: at once.
+    Row lies{};    ///< 1 where it lies on the head at first, else 0.
 };
 
 /// `nodesHd` [nodes][3][kLanes]; `passed` [kLanes][mostPassed] gets indices of cells, in order. Without cells all hairs

@@ -68,12 +68,15 @@ RootChance chanceOf(std::uint64_t seed, std::uint32_t rank)
     return chance;
 }
 
-LayRoot layRootOf(const RootSet& roots, std::uint32_t slot, const RootChance& chance)
+LayRoot layRootOf(const GroupSettings& settings, const RootSet& roots, std::uint32_t slot, const RootChance& chance)
 {
-    return {.positionHd = roots.positionHd[slot],
-            .frame = roots.frame(slot),
+    const glm::vec3 positionHd = roots.positionHd[slot];
+    const SkinFrame frame = roots.frame(slot);
+    return {.positionHd = positionHd,
+            .frame = frame,
             .uv = roots.uv[slot],
-            .chance = chance.coatHeight};
+            .chance = chance.coatHeight,
+            .strayHd = strayOf(settings.variation, roots.seed, roots.rankOfSlot[slot], positionHd, frame)};
 }
 
 RootColours coloursAt(const MapSamplers& maps, glm::vec2 uv)

@@ -37,7 +37,8 @@ struct RootChance
 };
 [[nodiscard]] RootChance chanceOf(std::uint64_t seed, std::uint32_t rank);
 
-[[nodiscard]] LayRoot layRootOf(const RootSet& roots, std::uint32_t slot, const RootChance& chance);
+[[nodiscard]] LayRoot layRootOf(const GroupSettings& settings, const RootSet& roots, std::uint32_t slot,
+                                const RootChance& chance);
 
 /// Of the curl-size map's value, m: exactly half of the greatest where nothing is painted.
 [[nodiscard]] float curlRadiusOf(const GroupSettings& settings, float value);

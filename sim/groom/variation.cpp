@@ -42,8 +42,20 @@ enum Which : std::uint64_t
     Flyaway,
     FlyawayAcross,
     Lift,
-    Grey
+    Grey,
+    StrayAcross,
+    StrayAlong
 };
+
+/// -1..1, smooth over some 2 cm.
+float wavering(glm::vec3 positionHd, float phase)
+{
+    constexpr float kFirst = 260.0F; // rad/m
+    constexpr float kSecond = 430.0F;
+    const float first = sinDet(phase + kFirst * (positionHd.x + 0.6F * positionHd.y - 0.8F * positionHd.z));
+    const float second = sinDet(1.7F * phase + kSecond * (0.7F * positionHd.x - positionHd.y + 0.5F * positionHd.z));
+    return 0.6F * first + 0.4F * second;
+}
 
 /// By an angle around a unit axis.
 class Turn
@@ -94,6 +106,20 @@ HairVariation variationOf(const VariationSettings& settings, std::uint64_t seed,
     }
     own.isGrey = settings.grey > 0.0F && chances.unit(Grey) < settings.grey;
     return own;
+}
+
+glm::vec3 strayOf(const VariationSettings& settings, std::uint64_t seed, std::uint32_t rank, glm::vec3 rootHd,
+                  const SkinFrame& frame)
+{
+    if (settings.parting <= 0.0F)
+        return glm::vec3(0.0F);
+    constexpr float kOfLine = 0.5F;
+    constexpr float kOtherPhase = 2.1F;
+    const Chances chances(seed, rank);
+    const auto offset = [&](Which which, float phase) {
+        return settings.parting * (kOfLine * wavering(rootHd, phase) + (1.0F - kOfLine) * chances.around(which));
+    };
+    return frame.x * offset(StrayAcross, 0.0F) + frame.y * offset(StrayAlong, kOtherPhase);
 }
 
 glm::vec3 greyed(glm::vec3 colour, float chance)

@@ -28,6 +28,11 @@ struct HairVariation
 };
 [[nodiscard]] HairVariation variationOf(const VariationSettings& settings, std::uint64_t seed, std::uint32_t rank);
 
+/// From a root to where on the skin beside it the hair takes its direction from, at most `settings.parting` away: near
+/// a parting some lie to the other side, and the line between the sides wavers. Hd, m.
+[[nodiscard]] glm::vec3 strayOf(const VariationSettings& settings, std::uint64_t seed, std::uint32_t rank,
+                                glm::vec3 rootHd, const SkinFrame& frame);
+
 /// sRGB as encoded: the hair without its pigment, `chance` in -1..1 lighter.
 [[nodiscard]] glm::vec3 greyed(glm::vec3 colour, float chance);
 

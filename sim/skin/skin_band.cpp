@@ -111,4 +111,14 @@ SkinBand::SkinBand(const Skin& skin)
     });
 }
 
+std::int32_t SkinBand::cellAt(glm::vec3 positionHd) const
+{
+    const glm::vec3 at = (positionHd - m_originHd) * m_perCell;
+    // False for what is not a number.
+    if (!(glm::all(glm::greaterThanEqual(at, glm::vec3(0.0F))) && glm::all(glm::lessThan(at, m_size))))
+        return kNone;
+    const glm::u64vec3 cell(at);
+    return m_index[(cell.z * m_rows + cell.y) * m_columns + cell.x];
+}
+
 } // namespace hairpaint::sim

@@ -40,6 +40,7 @@ public:
 
     [[nodiscard]] Grid grid() const { return {m_index.data(), m_originHd, m_size, m_perCell}; }
     [[nodiscard]] std::span<const Cell> cells() const { return m_cells; }
+    [[nodiscard]] std::int32_t cellAt(glm::vec3 positionHd) const; ///< See Grid.
 
 private:
     glm::vec3 m_originHd{0.0F};

@@ -359,7 +359,7 @@ void HairPanel::addGroup(const model::HairKind& kind)
         ++number;
     const QString name = numbered(number);
     GroupSettings settings = model::newGroupSettings(scalpFraction());
-    settings.variation = model::naturalVariation();
+    model::makeNatural(settings);
     kind.apply(settings);
     const model::Result<Grown> made = m_grow(kind, m_state.document().committed().head);
     if (!made)
