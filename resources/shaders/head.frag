@@ -4,6 +4,7 @@ in vec3 placeHd;
 in vec3 placeWo;
 in vec3 normalWo;
 in vec4 marks; // Sky, lips, lids, blush.
+in vec4 tint; // Of the scalp, times its cover.
 layout(location = 0) out vec4 rootColour;
 #ifdef SOLID
 uniform vec4 solidSkin[3]; // As the frame's, for a body that is worn.
@@ -74,6 +75,7 @@ void main()
     vec3 albedo = mix(skin[0].rgb, skin[1].rgb, 0.35 * marks.w);
     albedo = mix(albedo, skin[2].rgb, marks.z);
     albedo = mix(albedo, skin[1].rgb, marks.y);
+    albedo = albedo * (1.0 - tint.w) + tint.rgb;
 
     float up = n.y * 0.5 + 0.5;
     vec3 open = openness(marks.x, albedo);

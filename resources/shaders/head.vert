@@ -2,6 +2,9 @@
 layout(location = 0) in vec3 meshPosition;
 layout(location = 1) in vec3 meshNormal;
 layout(location = 2) in vec4 skinMarks; // Sky, lips, lids, blush.
+#ifndef SOLID
+layout(location = 3) in vec4 scalpTint; // See ScalpTint::Texel.
+#endif
 #ifdef SOLID
 uniform vec4 solidCentreHd;
 uniform vec4 solidSemiAxesM;
@@ -11,6 +14,7 @@ out vec3 placeHd;
 out vec3 placeWo;
 out vec3 normalWo;
 out vec4 marks;
+out vec4 tint;
 
 vec3 turnedBy(vec4 q, vec3 p)
 {
@@ -35,5 +39,10 @@ void main()
     placeWo = place.xyz;
     normalWo = mat3(woFromHd) * turnedBy(back, normalHd);
     marks = skinMarks;
+#ifdef SOLID
+    tint = vec4(0.0);
+#else
+    tint = scalpTint;
+#endif
     gl_Position = projectionFromWo * place;
 }

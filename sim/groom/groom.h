@@ -124,6 +124,8 @@ struct Groom
     int groupId = 0;
     bool visible = true;
     GroupSettings settings;
+    MapRaster density; ///< The maps that it was made from,
+    MapRaster colour;  ///< as far as the skin between the hairs shows them.
     std::shared_ptr<const RootSet> roots;
     int nodes = 8;
     std::vector<std::shared_ptr<const StrandChunk>> chunks; ///< ceil(candidates / kChunkSlots)

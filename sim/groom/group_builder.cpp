@@ -85,6 +85,8 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
     updateLay(input, head, dirty);
     groom->visible = input.visible;
     groom->settings = settings;
+    groom->density = input.maps[MapSlot::Density];
+    groom->colour = input.maps[MapSlot::Colour];
     groom->limit = limit;
 
     if (allDiffer || !dirty.empty()) {

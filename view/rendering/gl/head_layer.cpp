@@ -70,19 +70,43 @@ void HeadLayer::Mesh::upload(const std::shared_ptr<const sim::HeadMesh>& head)
     glBindVertexArray(0);
 }
 
+void HeadLayer::Mesh::uploadTint(const ScalpTintSources& tintSources)
+{
+    constexpr unsigned kAttribute = 3;
+    constexpr unsigned kBinding = 1;
+    if (!tint.update(source, tintSources) || indexCount == 0)
+        return;
+    const std::span<const ScalpTint::Texel> texels = tint.texels();
+    glBindVertexArray(vertexArray.id());
+    if (texels.empty()) {
+        glDisableVertexAttribArray(kAttribute);
+    } else {
+        tints.assign(texels.data(), texels.size_bytes());
+        glBindVertexBuffer(kBinding, tints.id(), 0, sizeof(ScalpTint::Texel));
+        glVertexAttribFormat(kAttribute, 4, GL_UNSIGNED_SHORT, GL_TRUE, 0);
+        glEnableVertexAttribArray(kAttribute);
+        glVertexAttribBinding(kAttribute, kBinding);
+    }
+    glBindVertexArray(0);
+}
+
 bool HeadLayer::draw(const Scene& scene, bool coarse, const FrameConstants& constants)
 {
     const FrameConstants part = withoutHair(constants);
-    const bool same = scene.head == m_head && scene.cards == m_cards && scene.solids == m_solids && part == m_drawnWith;
-    if (same && !m_isCoarse)
+    const bool sameView =
+        scene.head == m_head && scene.cards == m_cards && scene.solids == m_solids && part == m_drawnWith;
+    ScalpTintSources tintSources = scalpTintSources(scene.hair.get());
+    if (sameView && !m_isCoarse && tintSources == m_tintSources)
         return false;
+    m_tintSources = std::move(tintSources);
     m_head = scene.head;
     m_cards = scene.cards;
     m_solids = scene.solids;
     m_drawnWith = part;
-    m_isCoarse = !same && coarse && scene.headInMotion;
+    m_isCoarse = !sameView && coarse && scene.headInMotion;
     Mesh& mesh = m_isCoarse ? m_coarse : m_fine;
     mesh.upload(m_isCoarse ? scene.headInMotion : scene.head);
+    mesh.uploadTint(m_tintSources);
 
     const auto width = static_cast<int>(constants.target.x);
     const auto height = static_cast<int>(constants.target.y);
@@ -98,6 +122,7 @@ bool HeadLayer::draw(const Scene& scene, bool coarse, const FrameConstants& cons
     glClearBufferfv(GL_DEPTH, 0, &far);
     if (mesh.indexCount > 0) {
         m_program.use();
+        glVertexAttrib4f(3, 0.0F, 0.0F, 0.0F, 0.0F); // Where nothing tints.
         mesh.draw();
     }
     drawSolids();

@@ -5,6 +5,7 @@
 #include "view/rendering/frame_constants.h"
 #include "view/rendering/gl/card_layer.h"
 #include "view/rendering/gl/gl_objects.h"
+#include "view/rendering/scalp_tint.h"
 
 #include <memory>
 #include <string>
@@ -35,7 +36,10 @@ private:
         Buffer indices;
         int indexCount = 0;
         bool closed = false; ///< The inside is never seen.
+        ScalpTint tint;
+        Buffer tints; ///< A texel a vertex.
         void upload(const std::shared_ptr<const sim::HeadMesh>& head);
+        void uploadTint(const ScalpTintSources& sources);
         void draw() const; ///< By the program in use.
     };
 
@@ -53,6 +57,7 @@ private:
     std::shared_ptr<const sim::HeadMesh> m_head;
     std::shared_ptr<const CardSet> m_cards;
     std::vector<Solid> m_solids;
+    ScalpTintSources m_tintSources;
     FrameConstants m_drawnWith{};
     bool m_isCoarse = false; ///< The picture shows the coarse head.
 };

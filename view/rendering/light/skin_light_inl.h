@@ -22,7 +22,10 @@ struct SkinPoint
     Triple<F> placeWo;
     Triple<F> normalWo;
     F sky, lips, lids, blush;
-    F pixelM; ///< How far apart neighbouring pixels are on the skin.
+    F pixelM;              ///< How far apart neighbouring pixels are on the skin.
+    bool isTinted = false; ///< Whether the two below are there; see ScalpTint::Texel.
+    Triple<F> tint;
+    F untinted;
 };
 
 HWY_INLINE Lanes unitHashOf(Ints x, Ints y, Ints z)
@@ -116,6 +119,8 @@ HWY_INLINE Triple<Lanes> skinLight(const SkinLighting& given, const SkinPoint<La
     Triple<F> albedo = mixedWith(tripleOf<F>(given.colour), given.lips, point.blush * F(0.35F));
     albedo = mixedWith(albedo, given.lids, point.lids);
     albedo = mixedWith(albedo, given.lips, point.lips);
+    if (point.isTinted)
+        albedo = albedo * point.untinted + point.tint;
 
     const F up = n.y * F(0.5F) + F(0.5F);
     const Triple<F> around = irradianceAt(given.around, n) * (F(0.52F) + F(0.2F) * up);

@@ -148,6 +148,11 @@ HWY_INLINE void lightSamples(const HeadBand& band, const std::int32_t* xs, const
     point.lips = blended(13);
     point.lids = blended(14);
     point.blush = blended(15);
+    point.isTinted = band.isTinted;
+    if (point.isTinted) {
+        point.tint = {blended(16), blended(17), blended(18)};
+        point.untinted = Lanes(1.0F) - blended(19);
+    }
     Triple<Lanes> normal = unit(point.normalWo);
     const Triple<Lanes> toEye = unit(tripleOf<Lanes>(band.lighting.eyeWo) - point.placeWo);
     const Lanes facing = dot(normal, toEye);

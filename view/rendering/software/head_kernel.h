@@ -21,8 +21,9 @@ struct HeadVertex
     glm::vec3 normalWo{0.0F};
     glm::vec3 placeHd{0.0F};
     float sky = 1.0F, lips = 0.0F, lids = 0.0F, blush = 0.0F; ///< 0..1
+    glm::vec4 tint{0.0F};                                     ///< See ScalpTint::Texel.
 };
-static_assert(sizeof(HeadVertex) == 16 * sizeof(float));
+static_assert(sizeof(HeadVertex) == 20 * sizeof(float));
 
 inline constexpr float kNoHeadM = 1e9F; ///< Distance of a sample without head.
 
@@ -37,6 +38,7 @@ struct HeadBand
     int endRow = 0;
     float samplesPerM = 0.0F; ///< That a metre covers at a distance of 1 m.
     SkinLighting lighting;
+    bool isTinted = false;         ///< Whether any vertex is.
     HeadSample* samples = nullptr; ///< The picture's; rows are `width` long.
     float* distancesM = nullptr;
 };

@@ -87,12 +87,14 @@ SkinLighting lightingOf(const FrameConstants& constants, const SkinShading& skin
 void HeadPicture::update(const Scene& scene, bool coarse, const FrameConstants& constants)
 {
     const FrameConstants part = withoutHair(constants);
-    const bool same = scene.head == m_head && scene.cards == m_cards && scene.solids == m_solids &&
-                      part == m_drawnWith && m_width > 0;
-    if (same && !m_isCoarse)
+    const bool sameView = scene.head == m_head && scene.cards == m_cards && scene.solids == m_solids &&
+                          part == m_drawnWith && m_width > 0;
+    ScalpTintSources tintSources = scalpTintSources(scene.hair.get());
+    if (sameView && !m_isCoarse && tintSources == m_tintSources)
         return;
     m_width = 0; // Where memory runs out half-way, there is no picture.
-    m_isCoarse = !same && coarse && scene.headInMotion && scene.head;
+    m_isCoarse = !sameView && coarse && scene.headInMotion && scene.head;
+    m_tintSources = std::move(tintSources);
     const auto width = static_cast<int>(constants.target.x);
     const auto height = static_cast<int>(constants.target.y);
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -106,7 +108,8 @@ void HeadPicture::update(const Scene& scene, bool coarse, const FrameConstants& 
         mesh.closed = shown && sim::openEdges(*shown).empty();
     }
     m_solids = scene.solids;
-    placeParts(shown, mesh.closed, constants, height);
+    mesh.tint.update(shown, m_tintSources);
+    placeParts(mesh, constants, height);
     if (scene.cards)
         m_cardPicture.place(*scene.cards, constants);
     HeadBand whole;
@@ -137,16 +140,21 @@ void HeadPicture::update(const Scene& scene, bool coarse, const FrameConstants& 
     m_height = height;
 }
 
-void HeadPicture::placeParts(const std::shared_ptr<const sim::HeadMesh>& head, bool closed,
-                             const FrameConstants& constants, int height)
+void HeadPicture::placeParts(const Mesh& mesh, const FrameConstants& constants, int height)
 {
     const VertexPlacer placer(constants);
+    const std::shared_ptr<const sim::HeadMesh>& head = mesh.source;
     m_parts.resize(std::size_t{head ? 1U : 0U} + m_solids.size());
     auto part = m_parts.begin();
     if (head) {
+        const std::span<const ScalpTint::Texel> tints = mesh.tint.texels();
+        part->isTinted = !tints.empty();
         placeInto(part->vertices, head->positionsHd.size(), [&](std::size_t i) {
-            return placer.at(head->positionsHd[i], head->normalsHd[i],
-                             head->marks.empty() ? sim::SkinMarks{} : head->marks[i]);
+            HeadVertex vertex = placer.at(head->positionsHd[i], head->normalsHd[i],
+                                          head->marks.empty() ? sim::SkinMarks{} : head->marks[i]);
+            if (part->isTinted)
+                vertex.tint = glm::vec4(tints[i]) * (1.0F / 65535.0F);
+            return vertex;
         });
         part->triangles = head->triangles;
         part->lighting = lightingOf(constants, {.colour = glm::vec3(constants.skin[0]),
@@ -155,19 +163,20 @@ void HeadPicture::placeParts(const std::shared_ptr<const sim::HeadMesh>& head, b
                                                 .scatter = constants.skin[0].w,
                                                 .grain = constants.skin[1].w,
                                                 .sheen = constants.skin[2].w});
-        part->sortIntoBands(closed, height);
+        part->sortIntoBands(mesh.closed, height);
         ++part;
     }
     for (const Solid& solid : m_solids) {
-        const sim::HeadMesh& mesh = *solid.mesh;
+        const sim::HeadMesh& body = *solid.mesh;
         const glm::quat& q = solid.shape.rotation;
         const glm::vec4 rotation(q.x, q.y, q.z, q.w);
-        placeInto(part->vertices, mesh.positionsHd.size(), [&](std::size_t i) {
-            const glm::vec3 normal = mesh.normalsHd[i] / solid.shape.semiAxesM;
-            return placer.at(solid.shape.centreHd + turnedBy(rotation, mesh.positionsHd[i] * solid.shape.semiAxesM),
+        placeInto(part->vertices, body.positionsHd.size(), [&](std::size_t i) {
+            const glm::vec3 normal = body.normalsHd[i] / solid.shape.semiAxesM;
+            return placer.at(solid.shape.centreHd + turnedBy(rotation, body.positionsHd[i] * solid.shape.semiAxesM),
                              turnedBy(rotation, normal / std::sqrt(glm::dot(normal, normal))), sim::SkinMarks{});
         });
-        part->triangles = mesh.triangles;
+        part->triangles = body.triangles;
+        part->isTinted = false;
         part->lighting = lightingOf(constants, skinOf(solid));
         part->sortIntoBands(true, height);
         ++part;
@@ -191,6 +200,7 @@ bool HeadPicture::drawParts(HeadBand band, std::size_t number) const
         band.triangles = part.triangles;
         band.numbers = std::span(part.bandTriangles).subspan(begin, end - begin);
         band.lighting = part.lighting;
+        band.isTinted = part.isTinted;
         drawHeadBand(band);
         any = true;
     }

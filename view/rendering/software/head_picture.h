@@ -3,6 +3,7 @@
 #pragma once
 
 #include "view/rendering/frame_constants.h"
+#include "view/rendering/scalp_tint.h"
 #include "view/rendering/software/card_picture.h"
 #include "view/rendering/software/head_kernel.h"
 #include "view/rendering/software/tile_kernel.h"
@@ -35,6 +36,7 @@ private:
     {
         std::shared_ptr<const sim::HeadMesh> source;
         bool closed = false; ///< The inside is never seen.
+        ScalpTint tint;
     };
     /// A mesh as this picture has it.
     struct Part
@@ -42,12 +44,12 @@ private:
         std::vector<HeadVertex> vertices;
         std::span<const glm::uvec3> triangles;
         SkinLighting lighting;
+        bool isTinted = false;
         std::vector<std::uint32_t> bandBegin; ///< Into the triangles of each band of rows.
         std::vector<std::uint32_t> bandTriangles;
         void sortIntoBands(bool closed, int height);
     };
-    void placeParts(const std::shared_ptr<const sim::HeadMesh>& head, bool closed, const FrameConstants& constants,
-                    int height);
+    void placeParts(const Mesh& head, const FrameConstants& constants, int height);
     /// Whether there is anything of head and solids in the band.
     bool drawParts(HeadBand band, std::size_t number) const;
 
@@ -57,6 +59,7 @@ private:
     std::shared_ptr<const sim::HeadMesh> m_head;
     std::shared_ptr<const CardSet> m_cards;
     std::vector<Solid> m_solids;
+    ScalpTintSources m_tintSources;
     FrameConstants m_drawnWith{};
     bool m_isCoarse = false; ///< What the picture shows.
     int m_width = 0;

@@ -1,0 +1,146 @@
+// Density and colour of the roots at each vertex.
+#include "view/rendering/scalp_tint.h"
+
+#include "sim/base/parallel.h"
+#include "sim/groom/map_sampler.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace hairpaint::rendering {
+namespace {
+
+constexpr std::size_t kVertexGrain = 2048;
+constexpr float kHalfCovers = 1e6F; ///< Hairs per m2 that tint by half of the strength.
+
+/// A vertex reads density around itself too: where a parting is a line without roots, the skin beside it counts.
+constexpr float kBesideUv = 0.003F;
+constexpr std::array<glm::vec2, 5> kReads{glm::vec2(0.0F, 0.0F), glm::vec2(kBesideUv, kBesideUv),
+                                          glm::vec2(-kBesideUv, kBesideUv), glm::vec2(kBesideUv, -kBesideUv),
+                                          glm::vec2(-kBesideUv, -kBesideUv)};
+
+float densityAround(const sim::MapSampler& density, glm::vec2 uv)
+{
+    float beside = 0.0F;
+    for (std::size_t i = 1; i < kReads.size(); ++i)
+        beside += density.scalar(uv + kReads[i]);
+    // On the rim of an island of the layout there may be nothing beside.
+    return std::max(density.scalar(uv), beside / static_cast<float>(kReads.size() - 1));
+}
+
+/// All points that vertices read, kReads.size() a vertex.
+std::vector<glm::vec2> pointsRead(std::span<const glm::vec2> uvs)
+{
+    std::vector<glm::vec2> points;
+    points.reserve(uvs.size() * kReads.size());
+    for (const glm::vec2 uv : uvs)
+        for (const glm::vec2 offset : kReads)
+            points.push_back(uv + offset);
+    return points;
+}
+
+glm::vec3 linearOf(glm::vec3 encoded)
+{
+    return encoded * (encoded * (encoded * 0.305306011F + 0.682171111F) + 0.012522878F);
+}
+
+} // namespace
+
+ScalpTintSources scalpTintSources(const sim::StrandFrame* hair)
+{
+    ScalpTintSources sources;
+    if (hair == nullptr)
+        return sources;
+    for (const sim::GroupFrame& group : hair->groups) {
+        if (!group.groom || !group.groom->visible || !group.groom->density || !group.groom->colour)
+            continue;
+        const sim::GroupSettings& settings = group.groom->settings;
+        if (settings.material.scalpTint > 0.0F)
+            sources.push_back({.density = group.groom->density,
+                               .colour = group.groom->colour,
+                               .strength = settings.material.scalpTint,
+                               .densityPerM2 = settings.greatestDensityPerM2});
+    }
+    return sources;
+}
+
+bool ScalpTint::update(const std::shared_ptr<const sim::HeadMesh>& mesh, const ScalpTintSources& sources)
+{
+    const bool otherMesh = mesh != m_mesh;
+    if (!otherMesh && sources == m_sources)
+        return false;
+    const ScalpTintSources before = std::exchange(m_sources, sources);
+    m_mesh = mesh;
+    if (otherMesh)
+        m_indices.clear();
+    const bool had = !m_texels.empty();
+    if (!mesh || m_sources.empty() || mesh->uvs.size() != mesh->positionsHd.size()) {
+        m_texels.clear();
+        return had;
+    }
+    const auto alike = [](const ScalpTintSource& a, const ScalpTintSource& b) {
+        return a.strength == b.strength && a.densityPerM2 == b.densityPerM2;
+    };
+    std::vector<std::uint32_t> vertices;
+    bool some = had && !otherMesh && std::ranges::equal(before, m_sources, alike);
+    for (std::size_t i = 0; some && i < before.size(); ++i)
+        some = findChanged(before[i].density, m_sources[i].density, vertices) &&
+               findChanged(before[i].colour, m_sources[i].colour, vertices);
+    if (some) {
+        std::ranges::sort(vertices);
+        vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+    } else {
+        vertices.resize(mesh->positionsHd.size());
+        std::iota(vertices.begin(), vertices.end(), 0U);
+        m_texels.assign(vertices.size(), Texel(0));
+    }
+    evaluate(vertices);
+    return true;
+}
+
+bool ScalpTint::findChanged(const sim::MapRaster& before, const sim::MapRaster& after,
+                            std::vector<std::uint32_t>& vertices)
+{
+    if (before == after)
+        return true;
+    const std::optional<std::vector<int>> tiles = sim::tilesThatDiffer(*before, *after);
+    if (!tiles)
+        return false;
+    auto index = m_indices.find(after->size());
+    if (index == m_indices.end())
+        index = m_indices.emplace(after->size(), sim::TileIndex(pointsRead(m_mesh->uvs), after->size())).first;
+    for (const std::uint32_t point : index->second.slotsOf(*tiles))
+        vertices.push_back(point / static_cast<std::uint32_t>(kReads.size()));
+    return true;
+}
+
+void ScalpTint::evaluate(std::span<const std::uint32_t> vertices)
+{
+    struct Maps
+    {
+        sim::MapSampler density, colour;
+    };
+    std::vector<Maps> maps;
+    for (const ScalpTintSource& source : m_sources)
+        maps.push_back({sim::MapSampler(source.density), sim::MapSampler(source.colour)});
+    sim::parallelFor(vertices.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const glm::vec2 uv = m_mesh->uvs[vertices[i]];
+            glm::vec4 tint(0.0F);
+            for (std::size_t group = 0; group < maps.size(); ++group) {
+                const float hairs = densityAround(maps[group].density, uv) * m_sources[group].densityPerM2;
+                if (!(hairs > 0.0F))
+                    continue;
+                const float cover = m_sources[group].strength * hairs / (hairs + kHalfCovers);
+                tint = tint * (1.0F - cover) +
+                       glm::vec4(linearOf(glm::vec3(maps[group].colour.channels(uv))), 1.0F) * cover;
+            }
+            m_texels[vertices[i]] = Texel(glm::clamp(tint, 0.0F, 1.0F) * 65535.0F + 0.5F);
+        }
+    });
+}
+
+} // namespace hairpaint::rendering

@@ -1,0 +1,57 @@
+// What the roots of hair make of the skin's colour: a shaved side is darker than the face, and a parting is no white
+// stripe.
+#pragma once
+
+#include "sim/groom/tile_index.h"
+#include "sim/motion/strand_frame.h"
+#include "sim/skin/head_mesh.h"
+
+#include <glm/glm.hpp>
+#include <glm/gtc/type_precision.hpp>
+
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace hairpaint::rendering {
+
+/// A group's part in the tint.
+struct ScalpTintSource
+{
+    sim::MapRaster density;
+    sim::MapRaster colour;
+    float strength = 0.0F;                                                            ///< StrandMaterial::scalpTint
+    float densityPerM2 = 0.0F;                                                        ///< Where the density map is 1.
+    friend bool operator==(const ScalpTintSource&, const ScalpTintSource&) = default; ///< The same rasters.
+};
+using ScalpTintSources = std::vector<ScalpTintSource>;
+
+/// Of the groups that are seen and tint at all.
+[[nodiscard]] ScalpTintSources scalpTintSources(const sim::StrandFrame* hair);
+
+/// The tint at each vertex of a mesh. Only vertices whose texels may differ are looked at again. One thread; uses
+/// parallelFor.
+class ScalpTint
+{
+public:
+    /// Linear colour times cover, and cover: the skin's colour c becomes c (1 - w) + xyz. 65535 is 1.
+    using Texel = glm::u16vec4;
+
+    /// True where any vertex's may differ from before.
+    bool update(const std::shared_ptr<const sim::HeadMesh>& mesh, const ScalpTintSources& sources);
+    /// One a vertex; empty where nothing tints the mesh.
+    [[nodiscard]] std::span<const Texel> texels() const { return m_texels; }
+
+private:
+    void evaluate(std::span<const std::uint32_t> vertices);
+    /// Adds the vertices whose texels differ; false where all are to be evaluated.
+    bool findChanged(const sim::MapRaster& before, const sim::MapRaster& after, std::vector<std::uint32_t>& vertices);
+
+    std::shared_ptr<const sim::HeadMesh> m_mesh;
+    ScalpTintSources m_sources;
+    std::vector<Texel> m_texels;
+    std::map<int, sim::TileIndex> m_indices; ///< Of the points that the mesh's vertices read, by the raster's size.
+};
+
+} // namespace hairpaint::rendering
