@@ -1513,6 +1513,30 @@
         <source>How many of the hairs are grey</source>
         <translation>Cuántos de los pelos son canas</translation>
     </message>
+    <message>
+        <source>Loose parting</source>
+        <translation>Raya suelta</translation>
+    </message>
+    <message>
+        <source>How far from a parting hairs still cross it</source>
+        <translation>Hasta qué distancia de una raya la cruzan cabellos</translation>
+    </message>
+    <message>
+        <source>Volume rises over</source>
+        <translation>El volumen crece en</translation>
+    </message>
+    <message>
+        <source>How far from its roots hair reaches its height in the coat</source>
+        <translation>A qué distancia de la raíz alcanza el pelo su altura en la masa</translation>
+    </message>
+    <message>
+        <source>Scalp tint</source>
+        <translation>Tono del cuero cabelludo</translation>
+    </message>
+    <message>
+        <source>How much the roots darken the skin where they are dense</source>
+        <translation>Cuánto oscurecen la piel las raíces donde son densas</translation>
+    </message>
 </context>
 <context>
     <name>Guarded</name>

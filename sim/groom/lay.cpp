@@ -28,10 +28,10 @@ void Lay::add(const LayRoot& root, float lengthM)
     const DirectionVector natural =
         m_inputs.natural != nullptr ? m_inputs.natural->vector(root.uv) : DirectionVector(0.0F);
     m_strayedTo[m_count] = SkinBand::kNone;
-    const glm::vec3 growth =
-        strayed(root, falls,
-                growthDirections(painted, m_inputs.natural != nullptr ? &natural : nullptr, root.positionHd, root.frame)
-                    .of(falls));
+    const glm::vec3 own =
+        growthDirections(painted, m_inputs.natural != nullptr ? &natural : nullptr, root.positionHd, root.frame)
+            .of(falls);
+    const glm::vec3 growth = strayed(root, falls, own);
     const float square = std::min(glm::dot(growth, growth), 1.0F);
     const glm::vec3 direction = growth + root.frame.normal * std::sqrt(1.0F - square);
     const float segmentM = lengthM / static_cast<float>(m_nodes - 1);
@@ -47,6 +47,8 @@ void Lay::add(const LayRoot& root, float lengthM)
     constexpr float kRisesWithin = 0.4F; // Of the length.
     const float riseM = std::min(m_inputs.coatRiseM, kRisesWithin * lengthM);
     m_lanes.perRise[lane] = riseM > 0.0F ? 1.0F / riseM : 0.0F;
+    constexpr float kAcrossM = 0.009F; // A parting, two cells wide.
+    m_lanes.keepsM[lane] = growth != own ? kAcrossM : 0.0F;
     m_lanes.lies[lane] = square > kStandsBelow * kStandsBelow ? 1.0F : 0.0F;
     m_isUpright[lane] = square == 0.0F;
 }
@@ -66,6 +68,7 @@ void Lay::lay()
         m_lanes.falls[lane] = m_lanes.falls[0];
         m_lanes.coatM[lane] = m_lanes.coatM[0];
         m_lanes.perRise[lane] = m_lanes.perRise[0];
+        m_lanes.keepsM[lane] = m_lanes.keepsM[0];
         m_lanes.lies[lane] = m_lanes.lies[0];
     }
     std::ranges::fill(m_passed, SkinBand::kNone);

@@ -54,13 +54,14 @@ HWY_INLINE Lanes3 turned(const Lanes3& grown, const Lanes3& fallen, Lanes falls)
     return select(opposed, nearest, mean * (flatness / select(opposed, 1.0F, length)));
 }
 
-/// Cells are coarse: at the edge of a parting hair begins in one of the other side, and goes on as it does.
-HWY_INLINE Lanes3 goingOn(Yes atEdge, const Lanes3& direction, const Lanes3& normal, const Lanes3& growth,
+/// Cells are coarse: at the edge of a parting hair begins in one of the other side, and goes on as it does, as all
+/// does that `keeps` its direction.
+HWY_INLINE Lanes3 goingOn(Yes atEdge, Yes keeps, const Lanes3& direction, const Lanes3& normal, const Lanes3& growth,
                           Lanes flatness)
 {
     const Lanes3 onward = direction - normal * dot(direction, normal);
     const Lanes onward2 = most(dot(onward, onward), 1e-6F);
-    const Yes strange = atEdge & (dot(onward, growth) < kAgainst * flatness);
+    const Yes strange = keeps | (atEdge & (dot(onward, growth) < kAgainst * flatness));
     return select(strange, onward * (flatness / root(onward2)), growth);
 }
 
@@ -79,6 +80,7 @@ HWY_INLINE void layFrom(const LayTask& task, std::size_t lane)
     const Lanes falls = row(lanes.falls);
     const Lanes coat = row(lanes.coatM);
     const Lanes perRise = row(lanes.perRise);
+    const Lanes keeps = row(lanes.keepsM);
     const bool anyRises = any(perRise > 0.0F);
     const Lanes step = segment / steps;
     const Lanes perClimb = one / most(step, kTurnM);
@@ -128,8 +130,9 @@ HWY_INLINE void layFrom(const LayTask& task, std::size_t lane)
 
                 const Lanes flatness = least(root(dot(growth, growth)), one);
                 const Yes atEdge = held & (path < kEdgeM);
-                if (any(atEdge))
-                    growth = goingOn(atEdge, direction, normal, growth, flatness);
+                const Yes isKept = held & (path < keeps);
+                if (any(atEdge | isKept))
+                    growth = goingOn(atEdge, isKept, direction, normal, growth, flatness);
                 Lanes aim = coat;
                 if (anyRises) {
                     // A head's curve falls off with the square of the path, too: nothing stands over what is nearer to

@@ -26,7 +26,9 @@ GroomInput startInput()
     group.settings.greatestDensityPerM2 = 1e5F;
     group.settings.basisHairs = 512;
     group.maps[MapSlot::Density] = uniformMap(0.6F);
-    group.settings.variation = {.length = 0.1F, .curl = 0.2F, .width = 0.2F, .crossing = 0.05F, .flyaways = 0.05F};
+    group.settings.variation = {
+        .length = 0.1F, .curl = 0.2F, .width = 0.2F, .crossing = 0.05F, .flyaways = 0.05F, .parting = 0.006F};
+    group.settings.physics.volumeRiseM = 0.03F;
     group.maps[MapSlot::Curl] = uniformMap(0.3F);
     return inputOf(std::make_shared<const Skin>(makeBallHead(48, 0.1F)), group);
 }
@@ -348,6 +350,8 @@ void TestGroomUpdates::settingsThatChangeTheHairsEqualAFreshBuild_data()
         i.groups[0].settings.variation = {
             .length = 0.2F, .curl = 0.3F, .crossing = 0.1F, .flyaways = 0.1F, .grey = 0.3F};
     });
+    row("parting", [](GroomInput& i) { i.groups[0].settings.variation.parting = 0.001F; });
+    row("rise of the volume", [](GroomInput& i) { i.groups[0].settings.physics.volumeRiseM = 0.06F; });
     row("braid spacing", [](GroomInput& i) { i.groups[0].settings.braidSpacingM = 0.05F; });
     row("seed", [](GroomInput& i) { i.seed = 2; });
     row("limit", [](GroomInput& i) { i.maxHairs = 3000; });

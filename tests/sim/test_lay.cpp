@@ -7,8 +7,10 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 using namespace hairpaint::sim;
 using namespace hairpaint::test;
@@ -33,21 +35,40 @@ public:
             m_naturalSampler.emplace(m_natural);
     }
 
+    /// What else a hair may have.
+    struct More
+    {
+        glm::vec3 strayHd{0.0F};
+        float coatRiseM = 0.0F;
+        std::vector<std::int32_t>* passed = nullptr;
+    };
     [[nodiscard]] Nodes lay(glm::vec3 at, float lengthM, float chance = 0.5F) const
+    {
+        return lay(at, lengthM, chance, {});
+    }
+    [[nodiscard]] Nodes lay(glm::vec3 at, float lengthM, float chance, const More& more) const
     {
         const SurfacePoint point = m_skin.nearest(kBallM * glm::normalize(at));
         Lay lay({.direction = m_sampler,
                  .natural = m_naturalSampler ? &*m_naturalSampler : nullptr,
                  .field = &m_field,
-                 .coatM = m_coatM},
+                 .coatM = m_coatM,
+                 .coatRiseM = more.coatRiseM},
                 kNodes);
-        lay.add({.positionHd = point.positionHd, .frame = SkinFrame::at(point), .uv = point.uv, .chance = chance},
+        lay.add({.positionHd = point.positionHd,
+                 .frame = SkinFrame::at(point),
+                 .uv = point.uv,
+                 .chance = chance,
+                 .strayHd = more.strayHd},
                 lengthM);
         lay.lay();
+        if (more.passed != nullptr)
+            more.passed->assign(lay.passed(0).begin(), lay.passed(0).end());
         Nodes nodes;
         lay.read(0, nodes);
         return nodes;
     }
+    [[nodiscard]] std::int32_t cellAt(glm::vec3 hd) const { return m_band->cellAt(hd); }
     [[nodiscard]] SkinFrame frameAt(glm::vec3 at) const
     {
         return SkinFrame::at(m_skin.nearest(kBallM * glm::normalize(at)));
@@ -80,6 +101,8 @@ private Q_SLOTS:
     void hairLongerThanItsWayIsFree();
     void fieldsThatStandHoldNothing();
     void longHairFallsToItsSideWhereNobodyCombed();
+    void hairThatStraysAcrossAPartingLiesToItsOtherSide();
+    void theCoatRisesFromTheRoots();
 };
 
 void TestLay::uprightHairIsStraight()
@@ -167,6 +190,46 @@ void TestLay::longHairFallsToItsSideWhereNobodyCombed()
     QVERIFY(goes(0.03F).z > goes(0.03F).x); // As it grows: forward, away from the whorl on top.
     QVERIFY(goes(0.30F).x > 0.7F);
     QVERIFY(goes(0.30F).z < goes(0.30F).x);
+}
+
+void TestLay::hairThatStraysAcrossAPartingLiesToItsOtherSide()
+{
+    const LaidBall ball({0.0F, 0.0F}, 0.004F, true);
+    const glm::vec3 besideHd(-0.004F, kBallM, 0.01F);
+    const glm::vec3 strayHd(0.009F, 0.0F, 0.0F);
+    std::vector<std::int32_t> passed;
+    QVERIFY(ball.lay(besideHd, 0.25F).back().x < -0.05F);
+    const Nodes over = ball.lay(besideHd, 0.25F, 0.5F, {.strayHd = strayHd, .passed = &passed});
+    QVERIFY2(over.back().x > 0.05F, qPrintable(QString::number(over.back().x)));
+
+    // Should that cell be combed, the hair is to be laid anew.
+    const glm::vec3 rootHd = ball.lay(besideHd, 0.25F).front();
+    QVERIFY(std::ranges::find(passed, ball.cellAt(rootHd + strayHd)) != passed.end());
+    QVERIFY(ball.cellAt(rootHd + strayHd) != SkinBand::kNone);
+    // Where hairs around lie as it does it keeps every bit.
+    QCOMPARE(ball.lay(kSide, 0.25F, 0.5F, {.strayHd = strayHd}), ball.lay(kSide, 0.25F));
+}
+
+void TestLay::theCoatRisesFromTheRoots()
+{
+    const LaidBall ball({0.95F, 0.0F}, 0.01F);
+    const float lengthM = 0.02F * static_cast<float>(kNodes - 1);
+    const auto heights = [&](float riseM) {
+        const Nodes nodes = ball.lay(kSide, lengthM, 1.0F, {.coatRiseM = riseM});
+        std::array<float, kNodes> above{};
+        std::ranges::transform(nodes, above.begin(), [](glm::vec3 node) { return glm::length(node) - kBallM; });
+        return above;
+    };
+    const auto atOnce = heights(0.0F);
+    const auto rising = heights(0.05F);
+    QVERIFY2(atOnce[1] > 0.006F, qPrintable(QString::number(atOnce[1])));
+    QVERIFY2(rising[1] < 0.004F, qPrintable(QString::number(rising[1])));
+    QVERIFY2(std::abs(rising[5] - atOnce[5]) < 0.002F, qPrintable(QString::number(rising[5])));
+    // Over the top of a head no hair that lies to the side is higher than the parting.
+    const LaidBall parted({0.0F, 0.0F}, 0.008F, true);
+    const Nodes side = parted.lay({0.002F, kBallM, 0.0F}, 0.25F, 1.0F, {.coatRiseM = 0.05F});
+    for (const glm::vec3& node : side)
+        QVERIFY2(node.y < side.front().y + 0.0005F, qPrintable(QString::number(node.y - side.front().y)));
 }
 
 HAIRPAINT_TEST(TestLay, Core)

@@ -130,6 +130,35 @@ private Q_SLOTS:
         QCOMPARE(same, 0);
     }
 
+    void hairsStrayAsFarAsIsSetAndTheLineTheyMakeIsSmooth()
+    {
+        const SkinFrame frame{};
+        const VariationSettings settings{.parting = 0.003F};
+        QCOMPARE(strayOf({}, kSeed, 1, glm::vec3(0.1F), frame), glm::vec3(0.0F));
+        float most = 0.0F;
+        float leastOfLine = 1.0F;
+        float mostOfLine = -1.0F;
+        glm::vec3 before(0.0F);
+        for (int step = 0; step < 100; ++step) {
+            const glm::vec3 rootHd(0.0F, 0.1F, 0.001F * static_cast<float>(step)); // 10 cm of a parting.
+            glm::vec3 mean(0.0F);
+            constexpr std::uint32_t kMany = 400;
+            for (std::uint32_t rank = 0; rank < kMany; ++rank) {
+                const glm::vec3 stray = strayOf(settings, kSeed, rank, rootHd, frame);
+                QVERIFY(std::abs(glm::dot(stray, frame.normal)) < 1e-6F);
+                most = std::max(most, glm::dot(stray, frame.x));
+                mean += stray / static_cast<float>(kMany);
+            }
+            if (step > 0)
+                QVERIFY(glm::distance(mean, before) < 0.0008F);
+            before = mean;
+            leastOfLine = std::min(leastOfLine, mean.x);
+            mostOfLine = std::max(mostOfLine, mean.x);
+        }
+        QVERIFY2(most <= 0.003F && most > 0.002F, qPrintable(QString::number(most)));
+        QVERIFY2(mostOfLine - leastOfLine > 0.0015F, qPrintable(QString::number(mostOfLine - leastOfLine)));
+    }
+
     void turnedHairKeepsItsLengthAndItsRoot()
     {
         const VariationSettings settings{.crossing = 0.3F, .flyaways = 0.2F};

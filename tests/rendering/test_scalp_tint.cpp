@@ -1,0 +1,138 @@
+// The skin between the hairs: darker where roots are dense, in both renderers, and only looked at where paint changed.
+#include "sim/base/deterministic.h"
+#include "tests/rendering/renderer_fixture.h"
+#include "tests/support/test_grooms.h"
+#include "tests/support/test_program.h"
+#include "view/rendering/scalp_tint.h"
+#include "view/rendering/software/software_renderer.h"
+
+#include <QtTest>
+
+#include <algorithm>
+
+using namespace hairpaint;
+using namespace hairpaint::testing;
+using rendering::ScalpTint;
+
+namespace {
+
+constexpr glm::vec3 kBlack(0.05F);
+
+/// Roots on the left half of the layout, or what `density` says; no hair that could be seen.
+std::shared_ptr<const sim::StrandFrame> rootsAlone(float strength, sim::MapRaster density = test::halves(1.0F, 0.0F),
+                                                   sim::MapRaster colour = test::uniformColour(kBlack))
+{
+    sim::GroupSettings settings = plainSettings();
+    settings.greatestDensityPerM2 = 2e6F;
+    settings.material.scalpTint = strength;
+    std::shared_ptr<sim::StrandFrame> frame = makeFrame({}, settings);
+    auto groom = std::make_shared<sim::Groom>(*frame->groups[0].groom);
+    groom->density = std::move(density);
+    groom->colour = std::move(colour);
+    frame->groups[0].groom = groom;
+    return frame;
+}
+
+/// From the front, u = 0 and 1 meet in the middle of the picture.
+rendering::Scene tintedBall(float strength)
+{
+    rendering::Scene scene = emptyScene();
+    scene.head = makeBall(kBall);
+    scene.skin.grain = 0.0F;
+    scene.light.directionWo = glm::vec3(0.0F, 0.0F, 1.0F);
+    scene.hair = rootsAlone(strength);
+    return scene;
+}
+
+Picture inSoftware(const rendering::Scene& scene)
+{
+    rendering::SoftwareRenderer renderer;
+    Picture picture{.width = 200, .height = 150, .pixels = {}};
+    renderer.draw(scene, {}, picture.width, picture.height);
+    renderer.read(picture.pixels);
+    return picture;
+}
+
+} // namespace
+
+class TestScalpTint : public RendererFixture
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void skinIsDarkerWhereRootsAreDense()
+    {
+        const rendering::Scene scene = tintedBall(0.6F);
+        const Picture drawnOnce = draw(scene);
+        const Picture soft = inSoftware(scene);
+        const Picture plain = draw(tintedBall(0.0F));
+        for (const Picture* picture : {&drawnOnce, &soft}) {
+            QCOMPARE(picture->at(85, 75), plain.at(85, 75));
+            const int darker = plain.at(115, 75).y - picture->at(115, 75).y;
+            QVERIFY2(darker > 25, qPrintable(QString::number(darker)));
+        }
+        QVERIFY2(drawnOnce.difference(soft) < 2.0, qPrintable(QString::number(drawnOnce.difference(soft))));
+    }
+
+    void paintShowsInTheNextPicture()
+    {
+        rendering::Scene scene = tintedBall(0.6F);
+        rendering::SoftwareRenderer renderer;
+        Picture before{.width = 200, .height = 150, .pixels = {}};
+        renderer.draw(scene, {}, before.width, before.height);
+        renderer.read(before.pixels);
+        const Picture onGpu = draw(scene);
+        scene.hair = rootsAlone(0.6F, test::uniformMap(1.0F));
+        Picture after = before;
+        renderer.draw(scene, {}, after.width, after.height);
+        renderer.read(after.pixels);
+        QVERIFY(before.at(85, 75).y - after.at(85, 75).y > 25);
+        QVERIFY(onGpu.at(85, 75).y - draw(scene).at(85, 75).y > 25);
+        QCOMPARE(after.difference(inSoftware(scene)), 0.0);
+    }
+
+    void followingPaintGivesWhatAFreshLookGives()
+    {
+        const std::shared_ptr<const sim::HeadMesh> mesh = makeBall(kBall);
+        sim::MapRaster density = test::uniformMap(0.4F);
+        sim::MapRaster colour = test::uniformColour({0.4F, 0.2F, 0.1F});
+        ScalpTint following;
+        QVERIFY(following.update(mesh, rendering::scalpTintSources(rootsAlone(0.5F, density, colour).get())));
+        for (std::uint64_t i = 0; i < 30; ++i) {
+            const std::uint64_t hash = sim::hash64(1, i);
+            const glm::vec2 centre(sim::unitFloat(hash), sim::unitFloat(hash << 32U));
+            const auto channel = static_cast<std::uint16_t>(hash >> 40U);
+            if (i % 3 == 0)
+                colour = test::withDab(colour, centre, 0.03F, {channel, 0, 9000});
+            else
+                density = test::withDab(density, centre, 0.03F, {channel});
+            const rendering::ScalpTintSources sources =
+                rendering::scalpTintSources(rootsAlone(0.5F, density, colour).get());
+            QVERIFY(following.update(mesh, sources));
+            QVERIFY(!following.update(mesh, sources));
+            ScalpTint fresh;
+            fresh.update(mesh, sources);
+            QVERIFY(std::ranges::equal(following.texels(), fresh.texels()));
+        }
+    }
+
+    void nothingTintsWhatIsHiddenOrSetToNone()
+    {
+        const auto shown = rootsAlone(0.5F);
+        QCOMPARE(rendering::scalpTintSources(shown.get()).size(), std::size_t{1});
+        QVERIFY(rendering::scalpTintSources(rootsAlone(0.0F).get()).empty());
+        auto hidden = std::make_shared<sim::StrandFrame>(*shown);
+        auto groom = std::make_shared<sim::Groom>(*hidden->groups[0].groom);
+        groom->visible = false;
+        hidden->groups[0].groom = groom;
+        QVERIFY(rendering::scalpTintSources(hidden.get()).empty());
+        const std::shared_ptr<const sim::HeadMesh> mesh = makeBall(kBall);
+        ScalpTint tint;
+        QVERIFY(!tint.update(mesh, {}));
+        QVERIFY(tint.update(mesh, rendering::scalpTintSources(shown.get())));
+        QVERIFY(tint.update(mesh, {}));
+        QVERIFY(tint.texels().empty());
+    }
+};
+
+HAIRPAINT_TEST(TestScalpTint, None)
+#include "test_scalp_tint.moc"
