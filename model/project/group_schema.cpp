@@ -198,9 +198,9 @@ void GroupSetting::writeShown(GroupSettings& settings, double value, double scal
 void makeNatural(GroupSettings& settings)
 {
     settings.variation = {
-        .length = 0.08F, .curl = 0.12F, .width = 0.2F, .crossing = 0.08F, .flyaways = 0.012F, .parting = 0.003F};
+        .length = 0.08F, .curl = 0.12F, .width = 0.2F, .crossing = 0.08F, .flyaways = 0.012F, .parting = 0.004F};
     settings.physics.volumeRiseM = 0.05F;
-    settings.material.scalpTint = 0.6F;
+    settings.material.scalpTint = 0.8F;
 }
 
 GroupSettings newGroupSettings(double scalpFraction)

@@ -52,7 +52,7 @@ struct VariationSettings
     float flyaways = 0.0F; ///< 0..0.2: fraction of the hairs that keep to no lock and stand off the coat.
     float grey = 0.0F;     ///< 0..1: fraction of the hairs that are grey.
     /// m, 0..0.01: greatest distance from the line of a parting, or from the middle of a whorl, at which a hair lies to
-    /// the other side; the line itself wavers by half of it.
+    /// the other side; the line itself wavers by two fifths of it.
     float parting = 0.0F;
     friend bool operator==(const VariationSettings&, const VariationSettings&) = default;
 };

@@ -43,6 +43,7 @@ enum Which : std::uint64_t
     FlyawayAcross,
     Lift,
     Grey,
+    Crosses,
     StrayAcross,
     StrayAlong
 };
@@ -113,11 +114,15 @@ glm::vec3 strayOf(const VariationSettings& settings, std::uint64_t seed, std::ui
 {
     if (settings.parting <= 0.0F)
         return glm::vec3(0.0F);
-    constexpr float kOfLine = 0.5F;
+    constexpr float kOfLine = 0.4F;
+    constexpr float kCrossing = 0.25F; // Of the hairs; the others keep close to the line.
+    constexpr float kClose = 0.3F;
     constexpr float kOtherPhase = 2.1F;
     const Chances chances(seed, rank);
+    const float reach = chances.unit(Crosses) < kCrossing ? 1.0F : kClose;
     const auto offset = [&](Which which, float phase) {
-        return settings.parting * (kOfLine * wavering(rootHd, phase) + (1.0F - kOfLine) * chances.around(which));
+        const float own = reach * (2.0F * chances.unit(which) - 1.0F);
+        return settings.parting * (kOfLine * wavering(rootHd, phase) + (1.0F - kOfLine) * own);
     };
     return frame.x * offset(StrayAcross, 0.0F) + frame.y * offset(StrayAlong, kOtherPhase);
 }

@@ -156,7 +156,7 @@ private Q_SLOTS:
             mostOfLine = std::max(mostOfLine, mean.x);
         }
         QVERIFY2(most <= 0.003F && most > 0.002F, qPrintable(QString::number(most)));
-        QVERIFY2(mostOfLine - leastOfLine > 0.0015F, qPrintable(QString::number(mostOfLine - leastOfLine)));
+        QVERIFY2(mostOfLine - leastOfLine > 0.0012F, qPrintable(QString::number(mostOfLine - leastOfLine)));
     }
 
     void turnedHairKeepsItsLengthAndItsRoot()

@@ -14,7 +14,7 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr std::size_t kVertexGrain = 2048;
-constexpr float kHalfCovers = 1e6F; ///< Hairs per m2 that tint by half of the strength.
+constexpr float kHalfCovers = 0.7e6F; ///< Hairs per m2 that tint by half of the strength.
 
 /// A vertex reads density around itself too: where a parting is a line without roots, the skin beside it counts.
 constexpr float kBesideUv = 0.003F;

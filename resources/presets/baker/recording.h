@@ -28,7 +28,7 @@ struct Parting
 {
     float reachM = 0.1F;
     float flatness = 0.9F;
-    float gapM = 0.001F;
+    float gapM = 0.0F; ///< Hairs that lie to both sides leave a line of skin of their own.
 };
 
 /// A stroke along a height of the head, with what it leaves there.
