@@ -149,13 +149,14 @@ int runEditor(int argc, char** argv)
     sinceStart.start();
     hairpaint::app::returnLargeMemory();
     const std::unique_ptr<QApplication> application = openDisplay(argc, argv);
-    hairpaint::app::speak(hairpaint::app::Settings().preferences().language);
+    auto settings = std::make_unique<hairpaint::app::Settings>(); // Once: its disk may not answer.
+    hairpaint::app::speak(settings->preferences().language);
     hairpaint::view::initResources();
 
     QString path;
     hairpaint::model::Project project = hairpaint::app::starterProject();
     const QStringList arguments = QApplication::arguments();
-    hairpaint::app::MainWindow window(std::move(project), path);
+    hairpaint::app::MainWindow window(std::move(project), path, std::move(settings));
     logFirstHair(window, sinceStart);
     window.show();
     const hairpaint::app::Termination termination;

@@ -2745,6 +2745,18 @@
         <source>Size ball</source>
         <translation>Cambiar tamaño de la bola</translation>
     </message>
+    <message>
+        <source>Collider</source>
+        <translation>Elipsoide de colisión</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Bola</translation>
+    </message>
+    <message>
+        <source>Change look of ball</source>
+        <translation>Cambiar aspecto de la bola</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::ClipCommands</name>
@@ -5452,6 +5464,37 @@ Se ha perdido esto:</translation>
     <message>
         <source>Share of the strength that differs from place to place</source>
         <translation>Parte de la fuerza que cambia de un lugar a otro</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::WornPanel</name>
+    <message>
+        <source>Worn</source>
+        <translation>Accesorios</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+    <message>
+        <source>Colour of what is worn</source>
+        <translation>Color del accesorio</translation>
+    </message>
+    <message>
+        <source>Sheen</source>
+        <translation>Brillo</translation>
+    </message>
+    <message>
+        <source>How much light it reflects without taking its colour: 0 % is matt, 100 % polished</source>
+        <translation>Cuánta luz refleja sin tomar su color: 0 % es mate, 100 % pulido</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radio</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
     </message>
 </context>
 </TS>

@@ -85,12 +85,13 @@ void Journal::look()
 
 void Journal::lookAfterFolder()
 {
-    if (m_thread.isStuck() && !m_isStopped) {
-        m_isStopped = true;
-        Q_EMIT stopped(tr("its disk does not answer; save the project to another disk"));
+    if (m_thread.isStuck()) {
+        if (!std::exchange(m_isStopped, true))
+            Q_EMIT stopped(tr("its disk does not answer; save the project to another disk"));
+        return;
     }
-    if (m_written && m_document.modified() && !m_isStopped)
-        post({.kind = JournalThread::Task::Kind::LookAfter});
+    if (m_written && m_document.modified() && !m_isPaused)
+        post({.kind = JournalThread::Task::Kind::LookAfter, .states = {present()}});
 }
 
 void Journal::setPaused(bool paused)

@@ -42,13 +42,14 @@ public:
     [[nodiscard]] bool isStopped() const { return m_isStopped; } ///< The newest step is not on the disk.
     /// When it returns, all steps are on the disk, or can't be.
     void flush();
-    /// Looks whether its folder is still there, and makes it again where it is not; also done now and then.
+    /// Looks whether its folder is still there, and makes it again where it is not; tries again what could not be
+    /// written. Also done now and then.
     void lookAfterFolder();
     /// The work is saved, or not wanted: nothing is left behind.
     void discard();
 
 Q_SIGNALS:
-    /// A clause. The work goes on, but a crash would lose it; each further step tries again.
+    /// A clause. The work goes on, but a crash would lose it; each further step and each look tries again.
     void stopped(const QString& reason);
     void resumed();
     /// Nothing waits, and all of it is on the disk.

@@ -9,7 +9,9 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <deque>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -22,6 +24,12 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kMostWaiting = 16; ///< Tasks.
 constexpr std::chrono::milliseconds kBetweenLooks{20};
 constexpr double kComputesMs = 3.0; ///< Between two looks: less is the waiting itself.
+
+/// A step between others of its history: those after it hold what it holds, but for the way back.
+bool isPassedOver(const JournalThread::Task& task)
+{
+    return task.kind == JournalThread::Task::Kind::Append && task.states.front().count > 0;
+}
 
 /// What is written, and how to go on where it can't be.
 class Desk
@@ -39,7 +47,8 @@ public:
                 return written ? QString() : written.error().text;
             },
             [] { return model::notEnoughMemory().text; });
-        if (!problem.isEmpty() && m_writer) {
+        m_isLacking = !problem.isEmpty();
+        if (m_isLacking && m_writer) {
             m_states = m_writer->takeStates();
             m_writer.reset(); // The next step begins anew, with all of the content.
         }
@@ -53,6 +62,7 @@ public:
         if (m_folder)
             m_folder->remove();
         m_folder.reset();
+        m_isLacking = false;
     }
 
 private:
@@ -95,7 +105,8 @@ private:
             markClean();
             return {};
         }
-        if (task.kind == Kind::LookAfter && (!m_writer || m_writer->isClean() || m_writer->isInPlace()))
+        // What could not be written is not there, whatever stands in the folder.
+        if (task.kind == Kind::LookAfter && !m_isLacking && (!m_writer || m_writer->isClean() || m_writer->isInPlace()))
             return {};
         if (task.kind == Kind::TakeOver) {
             m_writer.reset();
@@ -108,8 +119,6 @@ private:
                 model::JournalWriter::keep(m_states, state);
             return begun;
         }
-        if (task.kind == Kind::LookAfter)
-            return m_writer->writeAnew();
         for (const model::JournalState& state : task.states)
             if (model::Checked<void> written = m_writer->append(state); !written)
                 return written;
@@ -120,6 +129,7 @@ private:
     std::unique_ptr<JournalFolder> m_folder;
     std::unique_ptr<model::JournalWriter> m_writer;
     std::deque<model::JournalState> m_states; ///< Of a writer that has failed: the next one begins with them.
+    bool m_isLacking = false;                 ///< The last task could not be done.
 };
 
 } // namespace
@@ -172,8 +182,13 @@ void JournalThread::post(Task task)
         const std::scoped_lock lock(m_shared->mutex);
         std::deque<Task>& tasks = m_shared->tasks;
         tasks.push_back(std::move(task));
-        if (tasks.size() > kMostWaiting)
-            tasks.erase(tasks.begin() + static_cast<std::ptrdiff_t>(kMostWaiting / 2));
+        if (tasks.size() > kMostWaiting) {
+            const auto newest = std::prev(tasks.end());
+            const auto one =
+                std::find_if(tasks.begin() + static_cast<std::ptrdiff_t>(kMostWaiting / 2), newest, isPassedOver);
+            if (one != newest)
+                tasks.erase(one);
+        }
     }
     m_shared->changed.notify_all();
 }

@@ -26,10 +26,10 @@ public:
             Append,
             TakeOver,  ///< In place of all that was appended.
             MarkClean, ///< What was appended last is saved.
-            LookAfter  ///< Writes anew where the folder is gone.
+            LookAfter  ///< Appends where the folder is gone or the task before could not be done, else does nothing.
         };
         Kind kind = Kind::MarkClean;
-        std::vector<model::JournalState> states = {}; ///< To be appended.
+        std::vector<model::JournalState> states = {}; ///< To be appended; of LookAfter the present one.
     };
 
     /// `root`: where the journal's folder is made with the first task. `told`: called on the thread after each task,
@@ -42,7 +42,8 @@ public:
     JournalThread(JournalThread&&) = delete;
     JournalThread& operator=(JournalThread&&) = delete;
 
-    /// Tasks that come faster than the disk takes them are left out, the older ones.
+    /// Of steps that come faster than the disk takes them some are left out, but neither the newest nor the first of a
+    /// history.
     void post(Task task);
     /// Waits until nothing is left to do. False where the disk does not answer: for a while the thread has neither
     /// ended a task nor computed. Then it returns at once until a task ends.

@@ -1,65 +1,32 @@
 // Settings as JSON: see the header.
 #include "app/settings/settings_store.h"
 
-#include "app/background/counted_thread.h"
-#include "model/disk/atomic_file.h"
-#include "model/disk/own_folder.h"
-
-#include <QDir>
-#include <QFileInfo>
-#include <QJsonDocument>
-#include <QSettings>
 #include <QStandardPaths>
 
 #include <chrono>
-#include <condition_variable>
-#include <memory>
-#include <mutex>
 #include <utility>
 
 namespace hairpaint::app {
-
-namespace {
-
-constexpr qint64 kMostBytes = 1 << 20;
-const QString kBytesMark = QStringLiteral("base64:");
-
-QJsonValue toJson(const QVariant& value)
-{
-    if (value.typeId() == QMetaType::QByteArray)
-        return kBytesMark + QString::fromLatin1(value.toByteArray().toBase64());
-    return QJsonValue::fromVariant(value);
-}
-
-QVariant fromJson(const QJsonValue& value)
-{
-    const QString text = value.toString();
-    if (text.startsWith(kBytesMark))
-        return QByteArray::fromBase64(text.sliced(kBytesMark.size()).toLatin1());
-    return value.toVariant();
-}
-
-} // namespace
 
 SettingsStore::SettingsStore()
     : SettingsStore(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) +
                     QStringLiteral("/settings.json"))
 {}
 
-SettingsStore::SettingsStore(QString path, int patienceMs) : m_path(std::move(path)), m_patienceMs(patienceMs)
+SettingsStore::SettingsStore(QString path, int patienceMs)
+    : m_file(std::move(path), std::chrono::milliseconds(patienceMs))
 {
     m_soon.setSingleShot(true);
     m_soon.setInterval(0);
-    connect(&m_soon, &QTimer::timeout, this, &SettingsStore::flush);
-    if (std::optional<QJsonObject> values = read(); values || m_isSilent) {
-        m_values = std::move(values).value_or(QJsonObject());
+    connect(&m_soon, &QTimer::timeout, this, [this] { post(); });
+    const std::optional<SettingsFile::Content> content = m_file.read();
+    m_isUnread = !content;
+    if (!content)
         return;
-    }
-    const QSettings before;
-    const QStringList keys = before.allKeys();
-    for (const QString& key : keys)
-        m_values.insert(key, toJson(before.value(key)));
-    m_changed = QSet<QString>(keys.begin(), keys.end());
+    m_values = content->values;
+    const QStringList keys = m_values.keys();
+    if (!content->exists)
+        m_changed = QSet<QString>(keys.begin(), keys.end());
 }
 
 SettingsStore::~SettingsStore()
@@ -70,12 +37,12 @@ SettingsStore::~SettingsStore()
 QVariant SettingsStore::value(const QString& key, const QVariant& otherwise) const
 {
     const auto found = m_values.constFind(key);
-    return found == m_values.constEnd() ? otherwise : fromJson(*found);
+    return found == m_values.constEnd() ? otherwise : settingFromJson(*found);
 }
 
 void SettingsStore::setValue(const QString& key, const QVariant& value)
 {
-    const QJsonValue next = toJson(value);
+    const QJsonValue next = settingToJson(value);
     if (m_values.value(key) == next && m_values.contains(key))
         return;
     m_values.insert(key, next);
@@ -94,7 +61,10 @@ void SettingsStore::clear()
 {
     m_values = {};
     m_changed.clear();
-    (void)write();
+    if (m_isUnread)
+        return;
+    post(true);
+    flush();
 }
 
 void SettingsStore::changed(const QString& key)
@@ -103,57 +73,42 @@ void SettingsStore::changed(const QString& key)
     m_soon.start();
 }
 
-void SettingsStore::flush()
+void SettingsStore::post(bool isClearing)
 {
     m_soon.stop();
-    if (m_changed.isEmpty() || m_isSilent)
+    adoptWritten();
+    if (m_isUnread || (m_changed.isEmpty() && !isClearing))
         return;
-    QJsonObject merged = read().value_or(QJsonObject());
-    if (m_isSilent)
+    SettingsFile::Changes changes;
+    for (const QString& key : std::as_const(m_changed))
+        changes.insert(key, m_values.value(key));
+    m_file.write(std::move(changes), isClearing);
+}
+
+void SettingsStore::adoptWritten()
+{
+    const std::optional<SettingsFile::Written> written = m_file.takeWritten();
+    if (!written || !written->isDone)
         return;
-    for (const QString& key : m_changed) {
+    m_changed.removeIf([&](const QString& key) {
+        const auto change = written->changes.constFind(key);
+        return change != written->changes.constEnd() && *change == m_values.value(key);
+    });
+    QJsonObject values = written->values;
+    for (const QString& key : std::as_const(m_changed)) {
         if (m_values.contains(key))
-            merged.insert(key, m_values.value(key));
+            values.insert(key, m_values.value(key));
         else
-            merged.remove(key);
+            values.remove(key);
     }
-    m_values = merged;
-    if (write())
-        m_changed.clear();
+    m_values = std::move(values);
 }
 
-std::optional<QJsonObject> SettingsStore::read()
+void SettingsStore::flush()
 {
-    struct Answer
-    {
-        std::mutex mutex;
-        std::condition_variable came;
-        bool isThere = false;
-        std::optional<QJsonObject> values;
-    };
-    const auto answer = std::make_shared<Answer>();
-    // A thread that is left to itself where the disk never answers.
-    countedThread([answer, path = m_path] {
-        std::optional<QJsonObject> values;
-        if (QFileInfo::exists(path))
-            values =
-                QJsonDocument::fromJson(model::contentOfOrdinaryFile(path, kMostBytes).value_or(QByteArray())).object();
-        const std::lock_guard lock(answer->mutex);
-        answer->values = std::move(values);
-        answer->isThere = true;
-        answer->came.notify_one();
-    }).detach();
-    std::unique_lock lock(answer->mutex);
-    m_isSilent =
-        !answer->came.wait_for(lock, std::chrono::milliseconds(m_patienceMs), [&answer] { return answer->isThere; });
-    return m_isSilent ? std::nullopt : std::move(answer->values);
-}
-
-bool SettingsStore::write()
-{
-    // A full disk must not stop the work; the old settings stay.
-    return QDir().mkpath(QFileInfo(m_path).absolutePath()) &&
-           model::writeFile(m_path, QJsonDocument(m_values).toJson()).has_value();
+    post();
+    if (m_file.finish())
+        adoptWritten();
 }
 
 } // namespace hairpaint::app

@@ -63,11 +63,12 @@ ProjectFiles::Picture thumbnailOf(rendering::Scene scene)
 
 } // namespace
 
-MainWindow::MainWindow(model::Project project, const QString& path, QWidget* parent)
-    : QMainWindow(parent), m_session(std::move(project)), m_jobs(*this), m_freedMemory(m_session.document(), m_jobs),
-      m_files(m_session, m_settings, m_jobs, *this), m_journal(m_session.document(), JournalFolder::root()),
-      m_exchange(m_session, m_settings, m_jobs, *this), m_actions(m_settings, *this), m_preferences(m_settings),
-      m_clipCommands(m_session), m_dialogs(*this, m_session.editor(), m_actions, m_preferences), m_focusReturn(this),
+MainWindow::MainWindow(model::Project project, const QString& path, std::unique_ptr<Settings> settings)
+    : m_ownSettings(std::move(settings)), m_settings(*m_ownSettings), m_session(std::move(project)), m_jobs(*this),
+      m_freedMemory(m_session.document(), m_jobs), m_files(m_session, m_settings, m_jobs, *this),
+      m_journal(m_session.document(), JournalFolder::root()), m_exchange(m_session, m_settings, m_jobs, *this),
+      m_actions(m_settings, *this), m_preferences(m_settings), m_clipCommands(m_session),
+      m_dialogs(*this, m_session.editor(), m_actions, m_preferences), m_focusReturn(this),
       m_dialogPlaces(*this, m_settings, [this] {
           const view::HeadView& head = m_workspace->headView();
           return head.isVisible() ? QRect(head.mapToGlobal(QPoint(0, 0)), head.size()) : QRect();

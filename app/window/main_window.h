@@ -36,7 +36,8 @@ class MainWindow : public QMainWindow
     Q_OBJECT
 public:
     /// `project`: what it opens with; `path`: where that came from, empty for a new one.
-    MainWindow(model::Project project, const QString& path, QWidget* parent = nullptr);
+    MainWindow(model::Project project, const QString& path,
+               std::unique_ptr<Settings> settings = std::make_unique<Settings>());
     ~MainWindow() override;
 
     [[nodiscard]] Session& session() { return m_session; }
@@ -91,7 +92,8 @@ private:
     /// has that key, null where it has been given another.
     [[nodiscard]] QAction* actionAt(PhysicalKey key) const;
 
-    Settings m_settings;
+    std::unique_ptr<Settings> m_ownSettings;
+    Settings& m_settings;
     Session m_session;
     Jobs m_jobs;
     FreedMemory m_freedMemory;

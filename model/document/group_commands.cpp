@@ -78,10 +78,17 @@ CommandPtr removeGroupCommand(Document& document, Id group)
     document.endEdit();
     if (document.committed().groups.size() <= 1)
         return nullptr;
-    return groupsCommand(document, group, Commands::tr("Remove group \"%1\"").arg(nameOf(document, group)),
-                         [group](Project& project) {
-                             std::erase_if(project.groups, [group](const HairGroup& one) { return one.id == group; });
-                         });
+    const QString text = Commands::tr("Remove group \"%1\"").arg(nameOf(document, group));
+    std::vector<ShownPart> parts{{{.aspect = Change::Aspect::GroupList, .group = group}, [group](Project& project) {
+                                      std::erase_if(project.groups,
+                                                    [group](const HairGroup& one) { return one.id == group; });
+                                  }}};
+    // What is worn in its hair goes along.
+    if (std::ranges::find(document.committed().worn, group, &Worn::group) != document.committed().worn.end())
+        parts.push_back({{.aspect = Change::Aspect::Environment}, [group](Project& project) {
+                             std::erase_if(project.worn, [group](const Worn& one) { return one.group == group; });
+                         }});
+    return shownEditCommand(document, parts, {}, text);
 }
 
 CommandPtr renameGroupCommand(Document& document, Id group, const QString& name)

@@ -1,6 +1,7 @@
 // Wind, light, background, skin, what is worn and the head.
 #include "model/document/command_texts.h"
 #include "model/document/edit_command.h"
+#include "model/styles/worn_transfer.h"
 
 namespace hairpaint::model {
 
@@ -99,6 +100,7 @@ CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head, 
     if (document.committed().head == head)
         return nullptr;
     const auto setHead = [head = std::move(head), ellipsoids = std::move(ellipsoids)](Project& project) {
+        project.worn = carriedWorn(std::move(project.worn), project.head, head);
         project.head = head;
         project.setShapesOfHead(ellipsoids);
     };

@@ -89,8 +89,13 @@ Result<void> saveProject(const Project& project, const QString& path, const QIma
             return write(project, path, thumbnail, encoded, progress);
         Project renumbered = project;
         renumber(renumbered.groups, renumbered.nextId);
-        for (Worn& one : renumbered.worn)
+        for (Worn& one : renumbered.worn) {
             one.id = renumbered.takeId();
+            const auto group = std::ranges::find(project.groups, one.group, &HairGroup::id);
+            one.group = group == project.groups.end()
+                            ? 0
+                            : renumbered.groups[static_cast<std::size_t>(group - project.groups.begin())].id;
+        }
         return write(renumbered, path, thumbnail, encoded, progress);
     });
 }

@@ -259,7 +259,7 @@ Checked<QByteArray> projectToJson(const Project& project)
         visitLight(inner, copy);
     });
     QJsonObject root = fields.take();
-    wornToJson(project.worn, root);
+    wornToJson(project.worn, project.groups, root);
     root.insert(QStringLiteral("groups"), groupsToJson(project.groups));
     return toBytes(std::move(root), kProjectFormat, formatVersionOf(project));
 }

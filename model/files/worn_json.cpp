@@ -5,6 +5,7 @@
 #include "model/files/json_fields.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 namespace hairpaint::model {
@@ -14,6 +15,36 @@ namespace {
 constexpr const char* kWornKey = "worn";
 constexpr const char* kKindKey = "kind";
 constexpr const char* kIdKey = "id";
+constexpr const char* kAnchorKey = "anchor";
+constexpr const char* kGroupKey = "group";
+constexpr const char* kSheenKey = "sheen";
+
+template<typename Fields>
+void visitAnchor(Fields& fields, WornAnchor& anchor)
+{
+    auto face = static_cast<int>(anchor.face);
+    fields.integer("face", face, 0, std::numeric_limits<int>::max());
+    anchor.face = static_cast<std::uint32_t>(face);
+    fields.numbers("barycentric", components(anchor.barycentric), 0.0F, 1.0F);
+}
+
+/// Keys that a writer leaves out where they say nothing.
+void visitOthers(FieldReader& fields, Worn& worn)
+{
+    fields.number(kSheenKey, worn.sheen, 0.0F, 1.0F);
+    fields.integer(kGroupKey, worn.group, 0, kGreatestNextId);
+    if (fields.contains(kAnchorKey))
+        fields.object(kAnchorKey, [&worn](FieldReader& inner) { visitAnchor(inner, worn.anchor.emplace()); });
+}
+void visitOthers(FieldWriter& fields, Worn& worn)
+{
+    if (worn.sheen != wornSpec(worn.kind).sheen)
+        fields.number(kSheenKey, worn.sheen, 0.0F, 1.0F);
+    if (worn.group != 0)
+        fields.integer(kGroupKey, worn.group, 0, kGreatestNextId);
+    if (worn.anchor)
+        fields.object(kAnchorKey, [&worn](FieldWriter& inner) { visitAnchor(inner, *worn.anchor); });
+}
 
 template<typename Fields>
 void visitWorn(Fields& fields, Worn& worn)
@@ -28,6 +59,8 @@ void visitWorn(Fields& fields, Worn& worn)
     rotation = glm::quat(turn[3], turn[0], turn[1], turn[2]);
     if (spec.drawn())
         fields.colour("colour", worn.colour);
+    if (spec.ownArray == nullptr)
+        visitOthers(fields, worn);
 }
 
 class WornParser
@@ -37,6 +70,7 @@ public:
     {
         for (const HairGroup& group : groups) {
             m_ids.insert(group.id);
+            m_groups.insert(group.id);
             for (const MapStack& stack : group.maps)
                 for (const Layer& layer : stack.layers)
                     m_ids.insert(layer.id);
@@ -77,25 +111,27 @@ public:
 private:
     bool parseOne(const QJsonObject& object, const WornSpec& spec, QString& problem)
     {
-        Worn worn{.kind = spec.kind, .colour = spec.colour};
+        Worn worn{.kind = spec.kind, .colour = spec.colour, .sheen = spec.sheen};
         FieldReader fields(object, problem);
         visitWorn(fields, worn);
         const glm::quat& q = worn.shape.rotation;
         const bool hasId = fields.contains(kIdKey);
         if (glm::dot(q, q) < 1e-6F || (hasId && (worn.id < 1 || worn.id >= m_nextId || !m_ids.insert(worn.id).second)))
             return false;
+        if (!m_groups.contains(worn.group))
+            worn.group = 0;
         insertWorn(m_all, worn);
         return true;
     }
 
     Id m_nextId;
-    std::set<Id> m_ids; // A QSet ends the program where memory runs out.
+    std::set<Id> m_ids, m_groups; // A QSet ends the program where memory runs out.
     std::vector<Worn> m_all;
 };
 
 } // namespace
 
-void wornToJson(const std::vector<Worn>& all, QJsonObject& root)
+void wornToJson(const std::vector<Worn>& all, const std::vector<HairGroup>& groups, QJsonObject& root)
 {
     const auto written = [](Worn worn, const char* kind) {
         FieldWriter fields;
@@ -114,9 +150,12 @@ void wornToJson(const std::vector<Worn>& all, QJsonObject& root)
         root.insert(QLatin1StringView(spec.ownArray), array);
     }
     QJsonArray others;
-    for (const Worn& one : all)
+    for (Worn one : all) {
+        if (std::ranges::find(groups, one.group, &HairGroup::id) == groups.end())
+            one.group = 0;
         if (wornSpec(one.kind).ownArray == nullptr)
             others.append(written(one, wornSpec(one.kind).id));
+    }
     if (!others.isEmpty())
         root.insert(QLatin1StringView(kWornKey), others);
 }

@@ -9,7 +9,7 @@
 namespace hairpaint::model {
 
 /// Into the arrays of the root that the table of kinds names; others into `worn`.
-void wornToJson(const std::vector<Worn>& all, QJsonObject& root);
+void wornToJson(const std::vector<Worn>& all, const std::vector<HairGroup>& groups, QJsonObject& root);
 /// Whether some of it stands in `worn`, which readers of the first two versions do not know.
 [[nodiscard]] bool needsWornArray(const std::vector<Worn>& all);
 

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <iterator>
+#include <utility>
 
 namespace hairpaint::model {
 
@@ -199,10 +199,14 @@ Checked<void> JournalWriter::writeAnew()
     Checked<void> written = rewrite();
     if (written || m_states.size() < 2)
         return written;
-    // Without the steps before it there may be room.
-    m_states.erase(m_states.begin(), std::prev(m_states.end()));
+    // Without the steps before it there may be room; if not, they are for the writer after this one.
+    std::deque<JournalState> all{m_states.back()};
+    std::swap(all, m_states);
     m_failed = false;
-    return rewrite();
+    written = rewrite();
+    if (!written)
+        std::swap(all, m_states);
+    return written;
 }
 
 void JournalWriter::keep(std::deque<JournalState>& states, const JournalState& state)

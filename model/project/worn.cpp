@@ -54,6 +54,7 @@ constexpr std::array kWornSpecs = {
     WornSpec{.kind = WornKind::Ellipsoid,
              .id = "ellipsoid",
              .ownArray = "ellipsoids",
+             .title = QT_TRANSLATE_NOOP("Worn", "Collider"),
              .action = "Collider",
              .addTitle = QT_TRANSLATE_NOOP("Worn", "Add &collider here"),
              .addHint =
@@ -64,20 +65,22 @@ constexpr std::array kWornSpecs = {
              .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove collider"),
              .moveStep = QT_TRANSLATE_NOOP("Worn", "Move collider"),
              .sizeStep = QT_TRANSLATE_NOOP("Worn", "Size collider"),
+             .lookStep = nullptr,
              .limit = 32,
              .radiusM = 0.03F,
              .liftRadii = -0.5F, // Half in the head.
              .colour = 0,
+             .sheen = 0.0F,
              .leastRadiusM = 0.005F,
              .greatestRadiusM = 0.5F,
              .handles = WornHandles::Axes,
              .ofHead = true,
              .collides = true,
-             .mesh = nullptr,
-             .sheen = 0.0F},
+             .mesh = nullptr},
     WornSpec{.kind = WornKind::Ball,
              .id = "ball",
              .ownArray = nullptr,
+             .title = QT_TRANSLATE_NOOP("Worn", "Ball"),
              .action = "Ball",
              .addTitle = QT_TRANSLATE_NOOP("Worn", "Pu&t a ball here"),
              .addHint = QT_TRANSLATE_NOOP("Worn", "A bead where the pointer was last on the head, which hair does not "
@@ -87,17 +90,18 @@ constexpr std::array kWornSpecs = {
              .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove ball"),
              .moveStep = QT_TRANSLATE_NOOP("Worn", "Move ball"),
              .sizeStep = QT_TRANSLATE_NOOP("Worn", "Size ball"),
+             .lookStep = QT_TRANSLATE_NOOP("Worn", "Change look of ball"),
              .limit = 32,
              .radiusM = 0.01F,
              .liftRadii = 1.0F, // Touches the skin.
              .colour = 0xFFC8402E,
+             .sheen = 1.0F,
              .leastRadiusM = 0.002F,
              .greatestRadiusM = 0.1F,
              .handles = WornHandles::Radius,
              .ofHead = false,
              .collides = true,
-             .mesh = unitBall,
-             .sheen = 1.0F},
+             .mesh = unitBall},
 };
 
 template<typename Wanted>
@@ -134,13 +138,28 @@ QString wornText(const char* text)
     return QCoreApplication::translate("Worn", text);
 }
 
-Worn makeWorn(const WornSpec& spec, glm::vec3 positionHd, glm::vec3 normalHd)
+Worn makeWorn(const WornSpec& spec, const sim::SurfacePoint& point, Id group)
 {
-    return {.id = 0,
-            .kind = spec.kind,
-            .shape = {.centreHd = positionHd + spec.liftRadii * spec.radiusM * normalHd,
-                      .semiAxesM = glm::vec3(spec.radiusM)},
-            .colour = spec.colour};
+    Worn worn{.id = 0,
+              .kind = spec.kind,
+              .shape = {.centreHd = point.positionHd + spec.liftRadii * spec.radiusM * point.normalHd,
+                        .semiAxesM = glm::vec3(spec.radiusM)},
+              .colour = spec.colour,
+              .sheen = spec.sheen};
+    if (!spec.ofHead) {
+        worn.group = group;
+        worn.anchor = WornAnchor{.face = point.face, .barycentric = point.barycentric};
+    }
+    return worn;
+}
+
+void anchorWorn(Worn& worn, const sim::Skin* skin)
+{
+    worn.anchor.reset();
+    if (skin == nullptr || wornSpec(worn.kind).ofHead)
+        return;
+    const sim::SurfacePoint point = skin->nearest(worn.shape.centreHd);
+    worn.anchor = WornAnchor{.face = point.face, .barycentric = point.barycentric};
 }
 
 void insertWorn(std::vector<Worn>& all, const Worn& one)

@@ -1,4 +1,5 @@
 // Settings survive the program, other windows and a full disk.
+#include "app/background/counted_thread.h"
 #include "app/settings/settings_store.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/await.h"
@@ -162,6 +163,32 @@ private Q_SLOTS:
         }
         QCOMPARE(SettingsStore(file).value(QStringLiteral("text")).toString(), QStringLiteral("there"));
         QVERIFY(test::awaitUntil([] { return test::FileStall::waiting() == 0; }));
+    }
+    void whatADiskThatDoesNotAnswerIsToKeepItKeepsLater()
+    {
+        const QString folder = m_folder.filePath(QStringLiteral("late"));
+        QVERIFY(QDir().mkpath(folder));
+        const QString file = folder + QStringLiteral("/settings.json");
+        test::writeBytes(file, R"({"text": "there", "other": 1})");
+        const QByteArray folderBytes = QFile::encodeName(folder);
+        {
+            constexpr int kMs = 50;
+            SettingsStore store(file, kMs);
+            const test::FileStall stall(folderBytes.constData());
+            store.setValue(QStringLiteral("text"), QStringLiteral("mine"));
+            test::handleDueEvents(); // That nothing waits in.
+            QVERIFY(test::awaitUntil([] { return test::FileStall::waiting() > 0; }));
+            store.setValue(QStringLiteral("number"), 1);
+            store.flush();
+            store.setValue(QStringLiteral("number"), 2);
+            QCOMPARE(store.value(QStringLiteral("text")).toString(), QStringLiteral("mine"));
+            QVERIFY2(test::FileStall::askedByMain() == 0, test::FileStall::lastByMain());
+        }
+        QVERIFY(test::awaitUntil([] { return !app::anyCountedThread(); }));
+        const SettingsStore store(file);
+        QCOMPARE(store.value(QStringLiteral("text")).toString(), QStringLiteral("mine"));
+        QCOMPARE(store.value(QStringLiteral("number")).toInt(), 2);
+        QCOMPARE(store.value(QStringLiteral("other")).toInt(), 1);
     }
 #endif
 

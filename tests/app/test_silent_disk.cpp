@@ -1,5 +1,7 @@
 // A network folder whose server does not answer: the window lives on, nothing is lost, and there is another place.
 #include "app/background/journal_folder.h"
+#include "model/document/commands.h"
+#include "model/journal/journal_reader.h"
 #include "tests/app/box_answer.h"
 #include "tests/app/window_fixture.h"
 #include "tests/model/archive_maker.h"
@@ -218,6 +220,60 @@ private Q_SLOTS:
         QCOMPARE(JournalFolder::abandoned(JournalFolder::root()).size(), isSaved ? 0U : 1U);
         for (const auto& folder : JournalFolder::abandoned(JournalFolder::root()))
             folder->remove();
+    }
+
+    void aSilentSettingsFolderHoldsNothingUp()
+    {
+        openSaved();
+        const QByteArray config =
+            QFile::encodeName(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation));
+        {
+            const test::FileStall stall(config.constData());
+            m_window->resize(m_window->width() - 8, m_window->height());
+            m_window->keepWork();
+            test::handleDueEvents();
+            QTRY_VERIFY_WITH_TIMEOUT(test::FileStall::waiting() > 0, kPatienceMs);
+            m_window.reset();
+            QVERIFY2(test::FileStall::askedByMain() == 0, test::FileStall::lastByMain());
+            QVERIFY(Jobs::anyLeft());
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(!Jobs::anyLeft(), kPatienceMs);
+    }
+
+    void stepsThatWaitForASilentDiskAreOfTheirOwnHistory()
+    {
+        const QTemporaryDir root;
+        const QByteArray rootBytes = QFile::encodeName(root.path());
+        model::Document document(model::newProject());
+        const auto step = [&document](unsigned number) {
+            document.push(model::setBackgroundCommand(document, 0xFF000000U | number));
+        };
+        model::Project other = model::newProject();
+        other.seed = 7;
+        Journal journal(document, root.path());
+        journal.setPatience(std::chrono::milliseconds(20));
+        step(1);
+        journal.flush();
+        {
+            const test::FileStall stall(rootBytes.constData());
+            for (unsigned i = 2; i < 12; ++i)
+                step(i);
+            document.replace(other);
+            test::handleDueEvents();
+            for (unsigned i = 1; i < 19; ++i) // So many that the steps left of both histories would be one row.
+                step(i);
+            test::handleDueEvents();
+            QVERIFY2(test::FileStall::askedByMain() == 0, test::FileStall::lastByMain());
+        }
+        journal.flush();
+        QTRY_VERIFY_WITH_TIMEOUT(journal.idle(), kPatienceMs);
+        const QStringList folders = QDir(root.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+        QCOMPARE(folders.size(), 1);
+        const auto work = model::readJournal(root.filePath(folders.front() + u'/' + JournalFolder::fileName()));
+        QVERIFY(work && *work);
+        QCOMPARE((*work)->steps.at((*work)->current).index, 18);
+        for (const model::JournalState& state : (*work)->steps)
+            QCOMPARE(state.project.seed, other.seed);
     }
 #endif
 };

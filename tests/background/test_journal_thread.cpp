@@ -4,8 +4,11 @@
 #include "model/document/commands.h"
 #include "model/files/project_file.h"
 #include "model/journal/journal_reader.h"
+#include "tests/support/await.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -42,6 +45,7 @@ class TestJournalThread : public QObject
 private Q_SLOTS:
     void stepsThatComeFasterThanTheDiskEndWithTheLast();
     void aDiscardedJournalLeavesNothing();
+    void whatCouldNotBeWrittenIsNeverTakenForKept();
 };
 
 void TestJournalThread::stepsThatComeFasterThanTheDiskEndWithTheLast()
@@ -81,6 +85,47 @@ void TestJournalThread::aDiscardedJournalLeavesNothing()
     step(document, 21);
     journal.flush();
     QVERIFY(!QDir(root.path()).isEmpty());
+}
+
+/// A look after the folder may come before anybody has heard that a step could not be written.
+void TestJournalThread::whatCouldNotBeWrittenIsNeverTakenForKept()
+{
+#ifdef Q_OS_UNIX
+    const QTemporaryDir root;
+    model::Document document(model::newProject());
+    std::size_t stepsFound = 0;
+    {
+        Journal journal(document, root.path());
+        const QSignalSpy kept(&journal, &Journal::kept);
+        const auto look = [&journal] {
+            journal.lookAfterFolder();
+            journal.flush();
+            test::handleDueEvents();
+        };
+        step(document, 1);
+        look();
+        QVERIFY(!journal.isStopped());
+        const qsizetype keptBefore = kept.size();
+        {
+            const test::FullDisk disk(1);
+            step(document, 2);
+            journal.flush();
+            look();
+            QVERIFY(journal.isStopped());
+            step(document, 3);
+            look();
+            QVERIFY(journal.isStopped());
+            QCOMPARE(kept.size(), keptBefore);
+        }
+        // Where there is room again no further step is needed.
+        look();
+        QVERIFY(!journal.isStopped());
+        QCOMPARE(kept.size(), keptBefore + 1);
+    }
+    if (const auto work = left(root.path()))
+        stepsFound = work->current;
+    QCOMPARE(stepsFound, 3U); // With the way back.
+#endif
 }
 
 HAIRPAINT_TEST(TestJournalThread, Core)

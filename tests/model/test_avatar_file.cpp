@@ -8,6 +8,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
+#include <numbers>
+
 using namespace hairpaint;
 using namespace hairpaint::model;
 using test::frameOf;
@@ -41,6 +44,17 @@ Avatar turnedAvatar(const Avatar& avatar, float angle)
     return turned;
 }
 
+/// On the crown of the mannequin.
+Worn bead()
+{
+    sim::SurfacePoint point;
+    point.positionHd = {0.02F, 1.75F, 0.03F};
+    Worn worn = makeWorn(wornSpec(WornKind::Ball), point);
+    worn.id = 9;
+    worn.sheen = 0.0F;
+    return worn;
+}
+
 } // namespace
 
 class TestAvatarFile : public QObject
@@ -49,16 +63,18 @@ class TestAvatarFile : public QObject
 private:
     QTemporaryDir m_folder;
 
+    /// `worn`: besides a part of the head.
     [[nodiscard]] QJsonObject exported(const std::shared_ptr<const sim::StrandFrame>& frame,
-                                       const std::shared_ptr<const Avatar>& avatar) const
+                                       const std::shared_ptr<const Avatar>& avatar, std::vector<Worn> worn = {}) const
     {
+        worn.push_back({.shape = {.centreHd = {0.0F, 1.6F, 0.0F}}});
         const QString path = m_folder.filePath(QStringLiteral("a.vrm"));
         const Result<void> written = exportHair(frame,
                                                 {.format = findExportFormat(path),
                                                  .target = &exportTargets().front(),
                                                  .curves = test::allOf(*frame),
                                                  .cards = {.triangles = 1'000, .atlasPx = 1024, .levels = 3},
-                                                 .worn = {{.shape = {.centreHd = {0.0F, 1.6F, 0.0F}}}},
+                                                 .worn = std::move(worn),
                                                  .avatar = avatar},
                                                 path);
         return written ? test::jsonOf(test::readBytes(path)) : QJsonObject{};
@@ -118,6 +134,49 @@ private Q_SLOTS:
                 ++skinned;
             }
         QCOMPARE(skinned, 2); // One level alone.
+    }
+
+    void whatIsWornHangsFromTheHeadBone_data()
+    {
+        QTest::addColumn<bool>("hasHair");
+        QTest::addColumn<float>("angle");
+        QTest::newRow("with hair") << true << 0.0F;
+        QTest::newRow("bald") << false << 0.0F;
+        QTest::newRow("of a body that looked away") << true << std::numbers::pi_v<float>;
+    }
+    void whatIsWornHangsFromTheHeadBone()
+    {
+        QFETCH(bool, hasHair);
+        QFETCH(float, angle);
+        auto avatar = std::make_shared<Avatar>(turnedAvatar(*mannequinAvatar(), angle));
+        const QJsonObject json =
+            exported(hasHair ? frameOf({hairGroup(1, 30'000, 65535, 0)}) : frameOf({}), avatar, {bead()});
+        const QJsonArray nodes = json[QLatin1String("nodes")].toArray();
+        const auto node = std::ranges::find_if(nodes, [](const QJsonValue& one) {
+            return one[QLatin1String("name")].toString() == QLatin1String("Worn ball 9");
+        });
+        QVERIFY(node != nodes.end());
+        // With the body's skin, whose joint of the head holds all of it.
+        const QJsonValue skin = json[QLatin1String("skins")][(*node)[QLatin1String("skin")].toInt()];
+        QCOMPARE(skin[QLatin1String("name")].toString(), QStringLiteral("Body"));
+        const int head = json[QLatin1String("extensions")][QLatin1String("VRMC_vrm")][QLatin1String("humanoid")]
+                             [QLatin1String("humanBones")][QLatin1String("head")][QLatin1String("node")]
+                                 .toInt();
+        QCOMPARE(skin[QLatin1String("joints")][avatar->bones[HumanBone::Head]].toInt(), head);
+        const QJsonValue mesh = json[QLatin1String("meshes")][(*node)[QLatin1String("mesh")].toInt()];
+        const QJsonValue primitive = mesh[QLatin1String("primitives")][0];
+        const QJsonValue attributes = primitive[QLatin1String("attributes")];
+        QVERIFY(!attributes[QLatin1String("WEIGHTS_0")].isUndefined());
+        // Where it is on the body, whose face looks toward +z by then.
+        const glm::vec3 expected = avatarBody(*avatar).turn * bead().shape.centreHd;
+        const QJsonValue positions = json[QLatin1String("accessors")][attributes[QLatin1String("POSITION")].toInt()];
+        for (int axis = 0; axis < 3; ++axis) {
+            const double middle = 0.5 * (positions[QLatin1String("min")][axis].toDouble() +
+                                         positions[QLatin1String("max")][axis].toDouble());
+            QVERIFY(std::abs(middle - static_cast<double>(expected[axis])) < 1e-4);
+        }
+        const QJsonValue material = json[QLatin1String("materials")][primitive[QLatin1String("material")].toInt()];
+        QCOMPARE(material[QLatin1String("pbrMetallicRoughness")][QLatin1String("roughnessFactor")].toDouble(), 1.0);
     }
 
     void aBaldAvatarIsOneToo()

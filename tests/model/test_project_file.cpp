@@ -288,6 +288,47 @@ private Q_SLOTS:
         QCOMPARE(test::difference(expected, *project), QString());
     }
 
+    /// Both were given a ramp as every map, v3 also a ball; as programs that knew no later keys wrote them.
+    void theSamplesOfLaterVersionsOpen_data()
+    {
+        QTest::addColumn<int>("version");
+        QTest::addColumn<std::size_t>("balls");
+        QTest::newRow("version 2") << 2 << std::size_t{0};
+        QTest::newRow("version 3") << 3 << std::size_t{1};
+    }
+    void theSamplesOfLaterVersionsOpen()
+    {
+        QFETCH(int, version);
+        QFETCH(std::size_t, balls);
+        const QString file = QStringLiteral(HAIRPAINT_TEST_DATA "/format/v%1.hairpaint").arg(version);
+        const Result<Project> project = loadProject(file);
+        QVERIFY2(project, project ? "" : qPrintable(project.error().message));
+        QCOMPARE(project->seed, std::uint64_t{77});
+        QCOMPARE(formatVersionOf(*project), version);
+        QCOMPARE(project->groups.size(), std::size_t{1});
+        const HairGroup& group = project->groups.front();
+        QVERIFY(group.settings.variation == sim::VariationSettings{}); // There was none.
+        constexpr int kTexel = 100;
+        for (const MapKind kind :
+             {MapKind::Density, MapKind::Length, MapKind::Curl, MapKind::CurlSize, MapKind::Clump, MapKind::Gel}) {
+            const MapStack& stack = group.map(kind);
+            QCOMPARE(stack.size, 256);
+            const sim::Texel texel = stack.layers.front().raster.texel(kTexel, 7);
+            QCOMPARE(texel[0], static_cast<std::uint16_t>(kTexel * 257));
+            QCOMPARE(texel[1], std::uint16_t{65535});
+        }
+        QCOMPARE(shapesOfHead(project->worn), builtInEllipsoids());
+        QCOMPARE(countOf(project->worn, WornKind::Ball), balls);
+        for (const Worn& worn : project->worn)
+            QVERIFY(worn.id > 0 && worn.id < project->nextId && !worn.anchor && worn.group == 0);
+        if (balls > 0) {
+            const Worn& ball = project->worn.back();
+            QVERIFY(ball.shape.centreHd == glm::vec3(0.0F, 0.12F, 0.03F));
+            QCOMPARE(ball.colour, QRgb{0xFF1E90FF});
+            QCOMPARE(ball.sheen, wornSpec(WornKind::Ball).sheen);
+        }
+    }
+
     void partingAndSweepBackOfOldFilesArePainted_data()
     {
         QTest::addColumn<double>("parting");

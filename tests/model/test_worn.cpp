@@ -2,6 +2,7 @@
 #include "model/document/commands.h"
 #include "model/exporting/export_format.h"
 #include "model/files/head_file.h"
+#include "model/files/project_file.h"
 #include "model/files/project_json.h"
 #include "sim/skin/mesh_openings.h"
 #include "sim/solver/collider_set.h"
@@ -9,6 +10,7 @@
 #include "tests/model/exported_hair.h"
 #include "tests/model/fixtures.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/foreign_heads.h"
 #include "tests/support/glb_json.h"
 #include "tests/support/test_program.h"
 
@@ -35,7 +37,9 @@ const Project& sample()
 
 Worn onTop(WornKind kind)
 {
-    return makeWorn(wornSpec(kind), {0.0F, 0.1F, 0.0F}, {0.0F, 1.0F, 0.0F});
+    sim::SurfacePoint point;
+    point.positionHd = {0.0F, 0.1F, 0.0F};
+    return makeWorn(wornSpec(kind), point);
 }
 
 /// Two of each kind, the last kind first.
@@ -82,6 +86,7 @@ private Q_SLOTS:
             for (const char* text :
                  {spec.addTitle, spec.removeTitle, spec.addStep, spec.removeStep, spec.moveStep, spec.sizeStep})
                 QVERIFY(!wornText(text).isEmpty());
+            QVERIFY(!wornText(spec.title).isEmpty() && spec.drawn() == (spec.lookStep != nullptr));
             QVERIFY(wornText(spec.addHint).contains(QStringLiteral("%1")));
             QVERIFY(spec.leastRadiusM <= spec.radiusM && spec.radiusM <= spec.greatestRadiusM);
             QVERIFY(spec.limit > 0 && (!spec.drawn() || spec.ownArray == nullptr));
@@ -223,8 +228,88 @@ private Q_SLOTS:
         for (const Worn& one : after.worn) {
             QVERIFY(ids.insert(one.id).second && one.id < after.nextId);
             if (!wornSpec(one.kind).ofHead)
-                QVERIFY(before.wornThing(one.id) != nullptr && *before.wornThing(one.id) == one);
+                QVERIFY(before.wornThing(one.id) != nullptr && before.wornThing(one.id)->colour == one.colour);
         }
+        document.undo();
+        QVERIFY(test::sameProjects(document.committed(), before));
+    }
+
+    /// From the crown and beside the ear: there it lies on the other head, as far off the skin, and back again.
+    void whatHangsOnTheSkinGoesToTheOtherHead_data()
+    {
+        QTest::addColumn<bool>("isAnchored");
+        QTest::newRow("anchored") << true;
+        QTest::newRow("of a file without anchors") << false;
+    }
+    void whatHangsOnTheSkinGoesToTheOtherHead()
+    {
+        QFETCH(bool, isAnchored);
+        constexpr float kNearM = 0.002F;
+        Document document(newProject());
+        const std::shared_ptr<const Head> head = document.committed().head;
+        const test::ForeignHead smaller =
+            test::bent(head->skin->mesh(), [](const glm::vec3& p) { return 0.8F * p + glm::vec3(0.0F, 0.03F, 0.0F); });
+        auto made = std::make_shared<Head>();
+        made->builtIn = false;
+        made->skin = std::make_shared<const sim::Skin>(smaller.mesh);
+        made->landmarks = *head->landmarks;
+        for (glm::vec3& position : made->landmarks->positionsHd)
+            position = smaller.place(position);
+        const std::shared_ptr<const Head> other = made;
+        std::vector<Id> ids;
+        for (const sim::HeadLandmark landmark : {sim::HeadLandmark::Crown, sim::HeadLandmark::EarLeft}) {
+            ids.push_back(document.committed().nextId);
+            Worn worn = makeWorn(wornSpec(WornKind::Ball), head->skin->nearest((*head->landmarks)[landmark]));
+            worn.shape.rotation = glm::quat(0.5F, 0.5F, -0.5F, 0.5F);
+            if (!isAnchored)
+                worn.anchor.reset();
+            document.push(addWornCommand(document, worn));
+        }
+        const Project before = document.committed();
+        document.push(setHeadCommand(document, other, {}));
+        const std::array marks{sim::HeadLandmark::Crown, sim::HeadLandmark::EarLeft};
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            const Worn& was = *before.wornThing(ids[i]);
+            const Worn& now = *document.committed().wornThing(ids[i]);
+            QCOMPARE(now.shape.semiAxesM, was.shape.semiAxesM);
+            QVERIFY(now.anchor.has_value());
+            const sim::SurfacePoint point = other->skin->at(now.anchor->face, now.anchor->barycentric);
+            QVERIFY(glm::distance(now.shape.centreHd, was.shape.centreHd) > kNearM); // The heads differ.
+            if (!isAnchored)
+                continue; // Beside the ear's opening another point is nearer.
+            QVERIFY(glm::distance(point.positionHd, (*other->landmarks)[marks[i]]) < kNearM);
+            QVERIFY(std::abs(glm::distance(now.shape.centreHd, point.positionHd) - was.shape.semiAxesM.x) < kNearM);
+        }
+        const Project there = document.committed();
+        document.push(setHeadCommand(document, head, {}));
+        for (const Id id : ids) {
+            const sim::Ellipsoid& shape = document.committed().wornThing(id)->shape;
+            const sim::Ellipsoid& was = before.wornThing(id)->shape;
+            QVERIFY(glm::distance(shape.centreHd, was.centreHd) < kNearM);
+            QVERIFY(std::abs(glm::dot(shape.rotation, was.rotation)) > 0.99F);
+        }
+        document.undo();
+        QVERIFY(document.committed().worn == there.worn);
+        document.undo();
+        QVERIFY(document.committed().worn == before.worn);
+    }
+
+    void whatIsWornInAGroupsHairGoesWithIt()
+    {
+        Document document(newProject());
+        document.push(addGroupCommand(document, QStringLiteral("Beard"), {}));
+        const Id beard = document.committed().groups.back().id;
+        const Id scalp = document.committed().groups.front().id;
+        for (const Id group : {beard, scalp}) {
+            Worn worn = onTop(WornKind::Ball);
+            worn.group = group;
+            document.push(addWornCommand(document, worn));
+        }
+        const Project before = document.committed();
+        document.push(removeGroupCommand(document, beard));
+        QCOMPARE(document.committed().groups.size(), std::size_t{1});
+        QCOMPARE(countOf(document.committed().worn, WornKind::Ball), std::size_t{1});
+        QCOMPARE(document.committed().worn.back().group, scalp);
         document.undo();
         QVERIFY(test::sameProjects(document.committed(), before));
     }
@@ -238,6 +323,43 @@ private Q_SLOTS:
         QVERIFY2(manifest, manifest ? "" : qPrintable(manifest.error().text));
         QVERIFY(manifest->project.worn == project.worn);
         QCOMPARE(manifest->project.nextId, project.nextId);
+    }
+
+    void filesGiveBackWhereItHangsAndWhatItIsOf()
+    {
+        Project project = sample();
+        Worn worn = onTop(WornKind::Ball);
+        worn.id = project.takeId();
+        worn.colour = 0xFF102030;
+        worn.sheen = 0.25F;
+        worn.group = project.groups.front().id;
+        worn.anchor = WornAnchor{.face = 7, .barycentric = {0.5F, 0.2F, 0.3F}};
+        insertWorn(project.worn, worn);
+        QJsonObject root = rootOf(projectToJson(project).value_or(QByteArray()));
+        const auto read = [&root] { return projectFromJson(QJsonDocument(root).toJson()); };
+        QVERIFY(read() && read()->project.worn == project.worn);
+        const auto set = [&root](const char* key, const QJsonValue& value) {
+            QJsonArray all = root.value(QLatin1String("worn")).toArray();
+            QJsonObject one = all.first().toObject();
+            if (value.isUndefined())
+                one.remove(QLatin1String(key));
+            else
+                one.insert(QLatin1String(key), value);
+            all.replace(0, one);
+            root.insert(QStringLiteral("worn"), all);
+        };
+        // A group that is not there is none.
+        set("group", project.nextId + 5);
+        QVERIFY(read());
+        QCOMPARE(read()->project.worn.back().group, 0);
+        // As the first files with worn things have it.
+        for (const char* key : {"group", "anchor", "sheen"})
+            set(key, QJsonValue(QJsonValue::Undefined));
+        QVERIFY(read());
+        const Worn& plain = read()->project.worn.back();
+        QVERIFY(!plain.anchor && plain.group == 0 && plain.sheen == wornSpec(WornKind::Ball).sheen);
+        set("anchor", QStringLiteral("ear"));
+        QVERIFY(!read());
     }
 
     /// A program that does not know the array `worn` must not lose what stands there.

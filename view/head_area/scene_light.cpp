@@ -49,7 +49,7 @@ std::vector<rendering::Solid> sceneSolids(const std::vector<model::Worn>& worn)
         solid.shape = one.shape;
         solid.shape.rotation = glm::normalize(one.shape.rotation); // A file may hold one of another length.
         solid.colour = linearColour(one.colour);
-        solid.sheen = spec.sheen;
+        solid.sheen = one.sheen;
     }
     return solids;
 }

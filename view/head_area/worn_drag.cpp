@@ -129,12 +129,17 @@ void WornDrag::move(const PointerSample& sample)
         return;
     const bool sizes = m_grip.end != kNoEnd || m_pressed.modifiers.testFlag(Qt::ShiftModifier);
     const model::WornSpec& spec = wornSpec(m_before.kind);
-    m_editor.document().show(m_edit, {.text = model::wornText(sizes ? spec.sizeStep : spec.moveStep)},
-                             {.aspect = model::Change::Aspect::Environment},
-                             [id = m_grip.id, now = sizes ? sized(sample) : moved(sample)](model::Project& project) {
-                                 if (model::Worn* worn = project.wornThing(id))
-                                     worn->shape = now;
-                             });
+    m_editor.document().show(
+        m_edit, {.text = model::wornText(sizes ? spec.sizeStep : spec.moveStep)},
+        {.aspect = model::Change::Aspect::Environment},
+        [id = m_grip.id, sizes, now = sizes ? sized(sample) : moved(sample)](model::Project& project) {
+            model::Worn* worn = project.wornThing(id);
+            if (worn == nullptr)
+                return;
+            worn->shape = now;
+            if (!sizes)
+                anchorWorn(*worn, project.head ? project.head->skin.get() : nullptr);
+        });
 }
 
 sim::Ellipsoid WornDrag::moved(const PointerSample& sample) const

@@ -12,7 +12,7 @@ void addWornAt(EditorState& editor, model::WornKind kind, const sim::SurfacePoin
 {
     const model::WornSpec& spec = model::wornSpec(kind);
     model::Document& document = editor.document();
-    model::CommandPtr command = addWornCommand(document, makeWorn(spec, point.positionHd, point.normalHd));
+    model::CommandPtr command = addWornCommand(document, makeWorn(spec, point, editor.target().group()));
     if (command == nullptr)
         return;
     document.push(std::move(command));

@@ -9,6 +9,7 @@
 #include "view/look/theme.h"
 #include "view/look/value_text.h"
 #include "view/panels/layer_list.h"
+#include "view/panels/worn_panel.h"
 #include "view/widgets/action_button.h"
 #include "view/widgets/bar_slider.h"
 #include "view/widgets/section.h"
@@ -57,6 +58,7 @@ HairPanel::HairPanel(EditorState& state, QWidget* parent)
     layout->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kPadding, metrics::kGap);
     layout->setSpacing(metrics::kGrid);
     buildGroups(*layout);
+    layout->addWidget(new WornPanel(state, content));
     buildSettings(*layout);
     layout->addStretch(1);
     scroll->setWidget(content);

@@ -65,12 +65,13 @@ public:
         addBody(QStringLiteral("Head mesh"), head, material(QStringLiteral("Skin"), colour, kRoughness), bones, skin);
     }
 
-    /// With the head, in the first skin.
-    void addWorn(const PlacedHead& placed, const Worn& worn, const std::vector<BoneWeights>& bones)
+    /// With the head; as addHead() has them.
+    void addWorn(const PlacedHead& placed, const Worn& worn, const std::vector<BoneWeights>& bones, int skin)
     {
-        constexpr double kRoughness = 0.3;
+        constexpr double kRoughness = 0.3; // Of what has all the sheen that there is.
+        const double roughness = kRoughness + (1.0 - kRoughness) * (1.0 - static_cast<double>(worn.sheen));
         const QString name = QStringLiteral("Worn %1 %2").arg(QLatin1StringView(wornSpec(worn.kind).id)).arg(worn.id);
-        addBody(name, placed, material(name, worn.colour, kRoughness), bones, 0);
+        addBody(name, placed, material(name, worn.colour, roughness), bones, skin);
     }
 
     /// The chains hang from a joint that is made for them.
@@ -312,7 +313,15 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
             glb.addCards(curves.groups()[group].name, levels);
     }
     if (avatar != nullptr) {
-        glb.addHead(body.mesh, settings.skinColour, avatar->skeleton.weights, cards.bones ? 1 : 0);
+        const int skin = cards.bones ? 1 : 0;
+        glb.addHead(body.mesh, settings.skinColour, avatar->skeleton.weights, skin);
+        const BoneWeights headBone{.joints = {static_cast<std::uint16_t>(avatar->bones[HumanBone::Head])}};
+        for (const Worn& worn : settings.worn) {
+            if (!wornSpec(worn.kind).drawn())
+                continue;
+            const PlacedHead placed = turnedWorn(worn, body.turn);
+            glb.addWorn(placed, worn, std::vector<BoneWeights>(placed.vertices.size(), headBone), skin);
+        }
         glb.addAvatar(curves, cards, settings, body, frame);
     } else if (const PlacedHead head = settings.cards.withHead ? placedHead(curves) : PlacedHead{};
                !head.indices.empty()) {
@@ -322,7 +331,7 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
             if (!wornSpec(worn.kind).drawn())
                 continue;
             const PlacedHead placed = placedWorn(curves, worn);
-            glb.addWorn(placed, worn, std::vector<BoneWeights>(cards.bones ? placed.vertices.size() : 0));
+            glb.addWorn(placed, worn, std::vector<BoneWeights>(cards.bones ? placed.vertices.size() : 0), 0);
         }
     }
     if (cards.patches.empty())

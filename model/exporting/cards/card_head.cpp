@@ -45,6 +45,19 @@ void hold(PlacedHead& head, const CurveSet& set)
     }
 }
 
+/// On its head.
+PlacedHead bodyOf(const Worn& worn)
+{
+    PlacedHead body = plainHead(*wornSpec(worn.kind).mesh());
+    const sim::Ellipsoid& shape = worn.shape;
+    const glm::quat rotation = glm::normalize(shape.rotation);
+    for (HeadVertexOut& vertex : body.vertices) {
+        vertex.position = shape.centreHd + rotation * (vertex.position * shape.semiAxesM);
+        vertex.normal = rotation * glm::normalize(vertex.normal / shape.semiAxesM);
+    }
+    return body;
+}
+
 } // namespace
 
 PlacedHead placedHead(const CurveSet& set)
@@ -58,15 +71,19 @@ PlacedHead placedHead(const CurveSet& set)
 
 PlacedHead placedWorn(const CurveSet& set, const Worn& worn)
 {
-    PlacedHead placed = plainHead(*wornSpec(worn.kind).mesh());
-    const sim::Ellipsoid& shape = worn.shape;
-    const glm::quat rotation = glm::normalize(shape.rotation);
-    for (HeadVertexOut& vertex : placed.vertices) {
-        vertex.position = shape.centreHd + rotation * (vertex.position * shape.semiAxesM);
-        vertex.normal = rotation * glm::normalize(vertex.normal / shape.semiAxesM);
-    }
+    PlacedHead placed = bodyOf(worn);
     hold(placed, set);
     return placed;
+}
+
+PlacedHead turnedWorn(const Worn& worn, const glm::quat& turn)
+{
+    PlacedHead turned = bodyOf(worn);
+    for (HeadVertexOut& vertex : turned.vertices) {
+        vertex.position = turn * vertex.position;
+        vertex.normal = turn * vertex.normal;
+    }
+    return turned;
 }
 
 } // namespace hairpaint::model

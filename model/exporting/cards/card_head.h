@@ -30,5 +30,7 @@ struct PlacedHead
 [[nodiscard]] PlacedHead placedHead(const CurveSet& set);
 /// A thing of a kind that is drawn, Wo, as it goes with the head.
 [[nodiscard]] PlacedHead placedWorn(const CurveSet& set, const Worn& worn);
+/// The same on a head at rest that is turned about its origin.
+[[nodiscard]] PlacedHead turnedWorn(const Worn& worn, const glm::quat& turn);
 
 } // namespace hairpaint::model

@@ -1,0 +1,61 @@
+// settings.json on its disk, which may not answer: whoever waits for it leaves it after a while.
+#pragma once
+
+#include <QHash>
+#include <QJsonObject>
+#include <QJsonValue>
+#include <QString>
+#include <QVariant>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace hairpaint::app {
+
+/// As JSON has it; bytes as text.
+[[nodiscard]] QJsonValue settingToJson(const QVariant& value);
+[[nodiscard]] QVariant settingFromJson(const QJsonValue& value);
+
+/// Reads and writes on counted threads of its own. All of it is called on one thread, the GUI's, which asks the disk
+/// nothing.
+class SettingsFile
+{
+public:
+    using Changes = QHash<QString, QJsonValue>; ///< By key; undefined where it was removed.
+    struct Content
+    {
+        QJsonObject values;
+        bool exists = false; ///< Else the values are those that 0.1 left in QSettings.
+    };
+    struct Written
+    {
+        QJsonObject values; ///< All of the file, what other windows have put there too.
+        Changes changes;
+        bool isDone = false;
+    };
+
+    SettingsFile(QString path, std::chrono::milliseconds patience);
+
+    /// None where the disk does not answer in time. No settings where it is not an ordinary file, or too large.
+    [[nodiscard]] std::optional<Content> read() const;
+    /// Puts the changes into the file, as it is then; waits for nothing. Changes that are still waiting are replaced,
+    /// so all that is not known to be written belongs into them. `isClearing`: all else goes.
+    void write(Changes changes, bool isClearing);
+    /// Waits until all is written, or can't be. False where the disk has not answered for as long as it is waited for:
+    /// then it returns at once until it answers, and what was to be written is written when it does.
+    [[nodiscard]] bool finish() const;
+    /// Of what was written last, once.
+    [[nodiscard]] std::optional<Written> takeWritten();
+
+private:
+    struct Shared;
+
+    static void work(Shared& shared);
+
+    std::chrono::milliseconds m_patience;
+    std::shared_ptr<Shared> m_shared;
+};
+
+} // namespace hairpaint::app

@@ -1,0 +1,129 @@
+// The look of what is worn, set in the panel.
+#include "model/document/commands.h"
+#include "tests/support/test_program.h"
+#include "tests/view/panel_fixture.h"
+#include "view/head_area/scene_light.h"
+#include "view/panels/worn_panel.h"
+#include "view/widgets/swatch.h"
+
+#include <QColorDialog>
+#include <QUndoStack>
+
+using namespace hairpaint;
+using namespace hairpaint::view;
+
+namespace {
+
+/// Two balls and a collider; nothing is chosen, and no undo step is left.
+struct WornPanelFixture : PanelFixture
+{
+    WornPanelFixture()
+    {
+        for (const model::WornKind kind : {model::WornKind::Ball, model::WornKind::Ellipsoid, model::WornKind::Ball})
+            document.push(addWornCommand(document, makeWorn(model::wornSpec(kind), {})));
+        document.undoStack().clear();
+        panel.resize(260, 200);
+        panel.show();
+    }
+    [[nodiscard]] const model::Worn& ball(std::size_t index) const { return document.project().worn.at(index + 1); }
+    [[nodiscard]] QList<Swatch*> swatches() const
+    {
+        QList<Swatch*> shown;
+        for (Swatch* swatch : panel.findChildren<Swatch*>())
+            if (swatch->isCheckable() && !swatch->isHidden())
+                shown.append(swatch);
+        return shown;
+    }
+    [[nodiscard]] Swatch& colour() const { return *panel.findChild<Swatch*>(QStringLiteral("wornColour")); }
+    [[nodiscard]] BarSlider& slider(const char* label) const { return *sliderNamed(panel, QString::fromLatin1(label)); }
+    void choose(std::size_t index) { QTest::mouseClick(swatches().at(static_cast<qsizetype>(index)), Qt::LeftButton); }
+
+    WornPanel panel{state};
+};
+
+} // namespace
+
+class TestWornPanel : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void eachDrawnThingHasASwatch()
+    {
+        WornPanelFixture f;
+        QCOMPARE(f.swatches().size(), 2);
+        QVERIFY(!f.colour().isVisible()); // Nothing is chosen.
+        f.choose(1);
+        QCOMPARE(f.state.options().chosenWorn(), f.ball(1).id);
+        QVERIFY(f.colour().isVisible() && f.swatches()[1]->isChecked() && !f.swatches()[0]->isChecked());
+        f.choose(1);
+        QVERIFY(f.swatches()[1]->isChecked());
+        for (std::size_t i = 2; i-- > 0;)
+            f.document.push(removeWornCommand(f.document, f.ball(i).id));
+        QVERIFY(!f.panel.isVisible());
+        f.document.undo();
+        QVERIFY(f.panel.isVisible());
+        QCOMPARE(f.swatches().size(), 1);
+    }
+
+    void aSliderIsOneStepOfTheChosenOne_data()
+    {
+        QTest::addColumn<QString>("label");
+        QTest::addColumn<QString>("step");
+        QTest::newRow("sheen") << QStringLiteral("Sheen") << QStringLiteral("Change look of ball");
+        QTest::newRow("radius") << QStringLiteral("Radius") << QStringLiteral("Size ball");
+    }
+    void aSliderIsOneStepOfTheChosenOne()
+    {
+        QFETCH(QString, label);
+        QFETCH(QString, step);
+        WornPanelFixture f;
+        const std::vector<model::Worn> before = f.document.committed().worn;
+        f.choose(0);
+        BarSlider& slider = f.slider(qPrintable(label));
+        holdAt(slider, 0.25);
+        QVERIFY(!(f.document.project().worn == before)); // Seen while it moves.
+        QCOMPARE(f.steps(), 0);
+        letGo(slider);
+        QCOMPARE(f.steps(), 1);
+        QCOMPARE(f.document.undoStack().text(0), step);
+        QVERIFY(!(f.ball(0) == before[1]));
+        QVERIFY(f.ball(1) == before[2]);
+        const bool isLook = label == QStringLiteral("Sheen");
+        QCOMPARE(f.ball(0).shape == before[1].shape, isLook);
+        QCOMPARE(f.ball(0).sheen == before[1].sheen, !isLook);
+        f.document.undo();
+        QVERIFY(f.document.committed().worn == before);
+    }
+
+    void aColourIsSeenWhileItIsChosenAndKeptOrTakenBack_data()
+    {
+        QTest::addColumn<bool>("isKept");
+        QTest::newRow("kept") << true;
+        QTest::newRow("taken back") << false;
+    }
+    void aColourIsSeenWhileItIsChosenAndKeptOrTakenBack()
+    {
+        QFETCH(bool, isKept);
+        const QColor blue(10, 20, 230);
+        WornPanelFixture f;
+        const std::vector<model::Worn> before = f.document.committed().worn;
+        f.choose(1);
+        QTest::mouseClick(&f.colour(), Qt::LeftButton);
+        auto* dialog = f.panel.findChild<QColorDialog*>();
+        QVERIFY(dialog != nullptr);
+        dialog->setCurrentColor(blue);
+        QCOMPARE(f.ball(1).colour, blue.rgb());
+        // Which renderers draw it in, and how it shines.
+        const std::vector<rendering::Solid> solids = sceneSolids(f.document.project().worn);
+        QVERIFY(solids.at(1).colour == linearColour(blue.rgb()) && solids.at(1).sheen == f.ball(1).sheen);
+        isKept ? dialog->accept() : dialog->reject();
+        QCOMPARE(f.steps(), isKept ? 1 : 0);
+        QCOMPARE(f.ball(1).colour == blue.rgb(), isKept);
+        if (isKept)
+            f.document.undo();
+        QVERIFY(f.document.committed().worn == before);
+    }
+};
+
+HAIRPAINT_TEST(TestWornPanel, Widgets)
+#include "test_worn_panel.moc"

@@ -1,0 +1,52 @@
+// What is worn and drawn: chosen, coloured and sized.
+#pragma once
+
+#include "model/document/edit_session.h"
+#include "view/editing/editor_state.h"
+
+#include <QWidget>
+
+#include <functional>
+#include <vector>
+
+class QGridLayout;
+
+namespace hairpaint::view {
+
+class BarSlider;
+class Swatch;
+
+/// A swatch for each thing, and the controls of the chosen one. Each change is one undo step. Hidden while nothing that
+/// is drawn is worn.
+class WornPanel : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit WornPanel(EditorState& state, QWidget* parent = nullptr);
+
+private:
+    using Edit = std::function<void(model::Worn&)>;
+    using Step = const char* model::WornSpec::*;
+
+    /// `step`: its undo text.
+    void bind(BarSlider& slider, Step step, const std::function<void(model::Worn&, double)>& set);
+    void chooseColour();
+    /// Of the thing with that id.
+    void showEdit(model::EditSession& session, model::Id id, Step step, const Edit& edit);
+    void follow();
+    void followSwatches();
+    [[nodiscard]] const model::Worn* chosen() const; ///< Null where it is not drawn.
+
+    EditorState& m_state;
+    QGridLayout* m_all;
+    std::vector<Swatch*> m_swatches; ///< As many as were ever needed; those of the things come first.
+    std::vector<model::Id> m_ids;    ///< Of those that are shown.
+    QWidget* m_look;                 ///< The controls.
+    Swatch* m_colour;
+    BarSlider* m_sheen;
+    BarSlider* m_radius;
+    model::Id m_shown = 0; ///< Whose look the controls have.
+    model::EditSession m_colourEdit;
+};
+
+} // namespace hairpaint::view
