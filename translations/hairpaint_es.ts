@@ -1513,6 +1513,14 @@
         <source>How many of the hairs are grey</source>
         <translation>Cuántos de los pelos son canas</translation>
     </message>
+    <message>
+        <source>Body</source>
+        <translation>Cuerpo</translation>
+    </message>
+    <message>
+        <source>How strongly hair keeps out of hair and moves along with it</source>
+        <translation>Con qué fuerza el pelo se aparta del pelo y se mueve con él</translation>
+    </message>
 </context>
 <context>
     <name>Guarded</name>

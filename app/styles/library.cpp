@@ -57,8 +57,10 @@ model::Project starterProject()
 model::Project baldProject()
 {
     model::Project project = model::newProject();
-    for (model::HairGroup& group : project.groups)
+    for (model::HairGroup& group : project.groups) {
         group.settings.variation = model::naturalVariation();
+        group.settings.physics.body = model::naturalBody();
+    }
     return project;
 }
 

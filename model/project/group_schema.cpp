@@ -106,6 +106,9 @@ constexpr GroupSetting kSettings[] = {
     {"physics.volume_m", &PhysicsSettings::volumeM, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Volume"),
      QT_TRANSLATE_NOOP("GroupSchema", "Thickness of the whole coat of hair"), QT_TRANSLATE_NOOP("GroupSchema", "mm"),
      1000.0, 0.0, 0.05, 0.0, 50.0, 1, 1.5F},
+    {"physics.body", &PhysicsSettings::body, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Body"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How strongly hair keeps out of hair and moves along with it"), "%", 100.0, 0.0,
+     1.0, 0.0, 100.0},
     {"physics.stiffness_m", &PhysicsSettings::stiffnessM, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Stands up to"),
      QT_TRANSLATE_NOOP("GroupSchema", "A hair so long nearly carries itself; shorter hair stands, longer hair hangs"),
      QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.0, 0.3, 0.0, 20.0, 1, 2.0F},
@@ -188,6 +191,11 @@ void GroupSetting::writeShown(GroupSettings& settings, double value, double scal
 sim::VariationSettings naturalVariation()
 {
     return {.length = 0.08F, .curl = 0.12F, .width = 0.2F, .crossing = 0.08F, .flyaways = 0.012F};
+}
+
+float naturalBody()
+{
+    return 0.5F;
 }
 
 GroupSettings newGroupSettings(double scalpFraction)

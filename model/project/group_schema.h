@@ -66,6 +66,8 @@ struct GroupSetting
 /// How much the hairs of people differ, grey ones aside. What is begun by hand starts with it; what files and scripts
 /// begin is exactly what its maps say.
 [[nodiscard]] sim::VariationSettings naturalVariation();
+/// PhysicsSettings::body of hair as it grows on people.
+[[nodiscard]] float naturalBody();
 /// What a new group starts with: 4,096 basis hairs on the scalp.
 [[nodiscard]] sim::GroupSettings newGroupSettings(double scalpFraction);
 [[nodiscard]] QString schemaText(const char* text); ///< Translated; empty stays empty.

@@ -23,6 +23,7 @@ struct PhysicsSettings
     float stiffnessM = 0.05F;
     float friction = 0.4F;  ///< 0..1 on the head: fraction of the tangential motion lost in a step of contact.
     float volumeM = 0.008F; ///< m, 0..0.05: thickness of the whole coat; each hair lies at its own height in it.
+    float body = 0.0F;      ///< 0..1: how strongly hair keeps out of hair and moves along with it; 0: it does neither.
     friend bool operator==(const PhysicsSettings&, const PhysicsSettings&) = default;
 };
 
