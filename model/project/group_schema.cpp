@@ -113,6 +113,9 @@ constexpr GroupSetting kSettings[] = {
      QT_TRANSLATE_NOOP("GroupSchema", "Volume rises over"),
      QT_TRANSLATE_NOOP("GroupSchema", "How far from its roots hair reaches its height in the coat"),
      QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.0, 0.2, 0.0, 15.0, 1},
+    {"physics.body", &PhysicsSettings::body, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Body"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How strongly hair keeps out of hair and moves along with it"), "%", 100.0, 0.0,
+     1.0, 0.0, 100.0},
     {"physics.stiffness_m", &PhysicsSettings::stiffnessM, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Stands up to"),
      QT_TRANSLATE_NOOP("GroupSchema", "A hair so long nearly carries itself; shorter hair stands, longer hair hangs"),
      QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.0, 0.3, 0.0, 20.0, 1, 2.0F},
@@ -200,6 +203,7 @@ void makeNatural(GroupSettings& settings)
     settings.variation = {
         .length = 0.08F, .curl = 0.12F, .width = 0.2F, .crossing = 0.08F, .flyaways = 0.012F, .parting = 0.004F};
     settings.physics.volumeRiseM = 0.05F;
+    settings.physics.body = 0.5F;
     settings.material.scalpTint = 0.8F;
 }
 

@@ -37,11 +37,13 @@ constexpr std::array kKinds{
     HairKind{"Scalp", QT_TRANSLATE_NOOP("HairKinds", "Hair of the head"), [](GroupSettings&) {}},
     HairKind{"Brows", QT_TRANSLATE_NOOP("HairKinds", "Brows"),
              [](GroupSettings& settings) {
+                 settings.physics.body = 0.0F; // It stands alone.
                  putShort(settings, {0.012F, 1.8e6F, 70e-6F, 0.001F, 0.045F});
              },
              true},
     HairKind{"Lashes", QT_TRANSLATE_NOOP("HairKinds", "Lashes"),
              [](GroupSettings& settings) {
+                 settings.physics.body = 0.0F;
                  putShort(settings, {0.010F, 1.0e6F, 100e-6F, 0.0005F, 0.06F});
                  settings.material.tipAlpha = 0.8F;
              },

@@ -42,6 +42,7 @@ constexpr SettingEffect kSettingEffects[] = {
     {&PhysicsSettings::windScale, Affects::Motion},
     {&PhysicsSettings::stiffnessM, Affects::Motion},
     {&PhysicsSettings::friction, Affects::Motion},
+    {&PhysicsSettings::body, Affects::Motion},
     {&StrandMaterial::widthM, Affects::Look},
     {&StrandMaterial::shine, Affects::Look},
     {&StrandMaterial::roughness, Affects::Look},

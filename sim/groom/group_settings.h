@@ -26,6 +26,7 @@ struct PhysicsSettings
     /// m, 0..0.2: the length of hair from the root along which the coat gains its thickness, so that a parting is no
     /// groove; hair that is short gains it sooner. At 0 as steeply as hair bends.
     float volumeRiseM = 0.0F;
+    float body = 0.0F;      ///< 0..1: how strongly hair keeps out of hair and moves along with it; 0: it does neither.
     friend bool operator==(const PhysicsSettings&, const PhysicsSettings&) = default;
 };
 

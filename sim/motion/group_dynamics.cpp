@@ -99,6 +99,12 @@ void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderS
     }
     m_isNew = arrived.size() == m_groom->basisCount;
     settle(arrived, calm);
+    if (!(m_groom->settings.physics.body > 0.0F))
+        m_body.reset();
+    else if (!m_body)
+        m_body = std::make_unique<HairBody>();
+    if (m_body)
+        m_body->setGroom(*m_groom);
     const bool otherCoat = otherColliders || otherGains || before.roots != m_groom->roots;
     m_dependents.prepare(*m_groom, m_colliders, otherCoat);
     m_awake = true;
@@ -236,6 +242,8 @@ void GroupDynamics::reset()
             m_state.placeStrand(strand, std::span(rest).first(nodes));
         }
     });
+    if (m_body)
+        m_body->forget();
     m_awake = true;
 }
 
@@ -249,6 +257,8 @@ void GroupDynamics::hangAnew(const StepForces& calm)
         if (m_state.field(strand, kStill) < kUnwanted)
             wanted.push_back(strand);
     settle(wanted, calm);
+    if (m_body)
+        m_body->forget();
     m_awake = true;
 }
 
@@ -277,11 +287,19 @@ void GroupDynamics::step(std::span<const StepForces> steps)
         wake();
     if (!m_awake && !windy)
         return;
-    const SolverBlocks blocks = m_state.view(m_groom->basis->restPositions.data());
-    parallelFor(m_state.blocks, kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
-        stepBlocks(blocks, m_gains, m_colliders, steps, m_state.present, begin, end);
-    });
-    m_state.present = (m_state.present + static_cast<int>(steps.size())) % 2;
+    SolverBlocks blocks = m_state.view(m_groom->basis->restPositions.data());
+    for (std::span<const StepForces> left = steps; !left.empty();) {
+        std::size_t count = left.size();
+        if (m_body) {
+            count = m_body->meet(m_state, count);
+            blocks.pushes = m_body->pushes();
+        }
+        parallelFor(m_state.blocks, kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
+            stepBlocks(blocks, m_gains, m_colliders, left.first(count), m_state.present, begin, end);
+        });
+        m_state.present = (m_state.present + static_cast<int>(count)) % 2;
+        left = left.subspan(count);
+    }
     m_awake = windy || std::any_of(m_state.awake.begin(), m_state.awake.end(), [](std::uint8_t a) { return a != 0; });
 }
 

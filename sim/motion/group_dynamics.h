@@ -3,6 +3,7 @@
 
 #include "sim/motion/dependents.h"
 #include "sim/motion/strand_frame.h"
+#include "sim/solver/hair_body.h"
 #include "sim/solver/strand_state.h"
 
 #include <memory>
@@ -37,6 +38,8 @@ public:
 
     [[nodiscard]] const std::shared_ptr<const Groom>& groom() const { return m_groom; }
     [[nodiscard]] const StrandState& state() const { return m_state; }
+    /// What keeps hair out of hair; null where the group has no body.
+    [[nodiscard]] const HairBody* body() const { return m_body.get(); }
 
 private:
     [[nodiscard]] std::vector<std::size_t> takeStrands(const Groom& before, std::span<const std::int32_t> origin,
@@ -51,6 +54,7 @@ private:
     ColliderSet m_colliders;
     GroupGains m_gains;
     StrandState m_state;
+    std::unique_ptr<HairBody> m_body;
     mutable Dependents m_dependents; ///< Its buffers are reused from frame to frame.
     bool m_awake = false;
     bool m_isNew = true;

@@ -117,6 +117,7 @@ struct SolverBlocks
     float* lanes = nullptr;
     std::size_t laneRows = kScale; ///< kScale and the colliders.
     std::uint8_t* awake = nullptr; ///< [blocks] whether anything may still move; written by the kernel.
+    const float* pushes = nullptr; ///< As `rest`: what hair around adds to each displacement, m a step; or null.
 };
 
 } // namespace hairpaint::sim

@@ -30,10 +30,12 @@ struct StrandRows
     float* HWY_RESTRICT next;
     float* HWY_RESTRICT previous;
     float* HWY_RESTRICT lanes;
-    float* HWY_RESTRICT p; ///< Scratch: where nodes are headed.
+    float* HWY_RESTRICT p;          ///< Scratch: where nodes are headed.
+    const float* HWY_RESTRICT push; ///< Of the hair around, m a step; null without body.
 };
 
-/// Where equation 5, with drag, gravity and wind, and the strand's own stiffness lead its nodes, into rows.p.
+/// Where equation 5, with drag, gravity, wind and the hair around, and the strand's own stiffness lead its nodes, into
+/// rows.p.
 HWY_INLINE void predict(const GroupGains& gains, const StepForces& step, const StrandRows& rows)
 {
     const Lanes inverseSquare = loaded(rows.lanes + kInverseSquare * kLanes);
@@ -63,7 +65,10 @@ HWY_INLINE void predict(const GroupGains& gains, const StepForces& step, const S
         if (step.windy)
             v = blown(gains, airAt(air, gains, step, node, x), x - before, inverseSquare, v);
         const Lanes3 styled = loaded3(rows.rest + node * StrandBlocks::kNodeStride);
-        bending.eliminate(i, x + v + gravity - styled, rows.p);
+        Lanes3 departure = x + v + gravity - styled;
+        if (rows.push != nullptr)
+            departure = departure + loaded3(rows.push + node * StrandBlocks::kNodeStride);
+        bending.eliminate(i, departure, rows.p);
         before = x;
     }
     bending.substitute(rows.rest, rows.p);

@@ -1,0 +1,377 @@
+// The grid of hair: splatting nodes, reading it at nodes.
+#include "sim/solver/body_kernel.h"
+
+#include "sim/solver/solver_layout.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/solver/body_kernel.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.
+#include "sim/base/lanes_inl.h"
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hairpaint::sim::HWY_NAMESPACE {
+
+constexpr std::size_t kPairs = 4; ///< Of a cell's corners beside each other along x: y fastest, then z.
+
+/// Two cells side by side, four numbers each.
+#if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 32
+using PairTag = hn::FixedTag<float, 8>;
+using PairIntTag = hn::FixedTag<std::int32_t, 8>;
+struct CellPair
+{
+    hn::Vec<PairTag> v;
+};
+HWY_INLINE CellPair pairOf(Quad first, Quad second)
+{
+    return {hn::Combine(PairTag(), second.v, first.v)};
+}
+HWY_INLINE CellPair pairAt(const std::int32_t* HWY_RESTRICT cell)
+{
+    return {hn::ConvertTo(PairTag(), hn::LoadU(PairIntTag(), cell))};
+}
+HWY_INLINE void addPair(CellPair pair, float weight, std::int32_t* HWY_RESTRICT cell)
+{
+    const PairIntTag di;
+    const hn::Vec<PairIntTag> whole = hn::ConvertTo(di, hn::Mul(pair.v, hn::Set(PairTag(), weight)));
+    hn::StoreU(hn::Add(hn::LoadU(di, cell), whole), di, cell);
+}
+HWY_INLINE CellPair operator-(CellPair a, CellPair b)
+{
+    return {hn::Sub(a.v, b.v)};
+}
+/// a + b t
+HWY_INLINE CellPair plus(CellPair a, CellPair b, float t)
+{
+    return {hn::Add(a.v, hn::Mul(b.v, hn::Set(PairTag(), t)))};
+}
+HWY_INLINE Quad firstCell(CellPair pair)
+{
+    return {hn::LowerHalf(QuadTag(), pair.v)};
+}
+HWY_INLINE Quad secondCell(CellPair pair)
+{
+    return {hn::UpperHalf(QuadTag(), pair.v)};
+}
+#else
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE Quad quadOfCell(const std::int32_t* HWY_RESTRICT cell)
+{
+    return {{static_cast<float>(cell[0]), static_cast<float>(cell[1]), static_cast<float>(cell[2]),
+             static_cast<float>(cell[3])}};
+}
+HWY_INLINE void addToCell(const Quad& quad, std::int32_t* HWY_RESTRICT cell)
+{
+    for (std::size_t i = 0; i < 4; ++i)
+        cell[i] += static_cast<std::int32_t>(quad.v[i]);
+}
+#else
+using QuadIntTag = hn::FixedTag<std::int32_t, 4>;
+HWY_INLINE Quad quadOfCell(const std::int32_t* HWY_RESTRICT cell)
+{
+    return {hn::ConvertTo(QuadTag(), hn::Load(QuadIntTag(), cell))};
+}
+HWY_INLINE void addToCell(Quad quad, std::int32_t* HWY_RESTRICT cell)
+{
+    const QuadIntTag di;
+    hn::Store(hn::Add(hn::Load(di, cell), hn::ConvertTo(di, quad.v)), di, cell);
+}
+#endif
+struct CellPair
+{
+    Quad first, second;
+};
+HWY_INLINE CellPair pairOf(const Quad& first, const Quad& second)
+{
+    return {first, second};
+}
+HWY_INLINE CellPair pairAt(const std::int32_t* HWY_RESTRICT cell)
+{
+    return {quadOfCell(cell), quadOfCell(cell + 4)};
+}
+HWY_INLINE void addPair(const CellPair& pair, float weight, std::int32_t* HWY_RESTRICT cell)
+{
+    addToCell(pair.first * quadOf(weight), cell);
+    addToCell(pair.second * quadOf(weight), cell + 4);
+}
+HWY_INLINE CellPair operator-(const CellPair& a, const CellPair& b)
+{
+    return {a.first - b.first, a.second - b.second};
+}
+HWY_INLINE CellPair plus(const CellPair& a, const CellPair& b, float t)
+{
+    return {a.first + b.first * quadOf(t), a.second + b.second * quadOf(t)};
+}
+HWY_INLINE Quad firstCell(const CellPair& pair)
+{
+    return pair.first;
+}
+HWY_INLINE Quad secondCell(const CellPair& pair)
+{
+    return pair.second;
+}
+#endif
+
+HWY_INLINE float firstOf(const Quad& quad)
+{
+#if HWY_TARGET == HWY_SCALAR
+    return quad.v[0];
+#else
+    return hn::GetLane(quad.v);
+#endif
+}
+
+/// The cells that nodes are in, one a lane, and where in them.
+struct CellOfNode
+{
+    Ints index;
+    Lanes3 t; ///< 0..1
+};
+
+HWY_INLINE CellOfNode cellOf(const BodyGrid& grid, const Lanes3& p)
+{
+    const IntTag di;
+    Lanes3 c = (p - everyLane(grid.origin)) * grid.inverseCell;
+    // What is not a number is in the first cell.
+    c = {least(most(c.x, 0.0F), grid.last[0]), least(most(c.y, 0.0F), grid.last[1]),
+         least(most(c.z, 0.0F), grid.last[2])};
+    const Ints x = asInts(c.x);
+    const Ints y = asInts(c.y);
+    const Ints z = asInts(c.z);
+    const Ints index = hn::Add(x, hn::Add(hn::Mul(y, hn::Set(di, grid.row)), hn::Mul(z, hn::Set(di, grid.slice))));
+    return {index, c - Lanes3{asFloats(x), asFloats(y), asFloats(z)}};
+}
+
+HWY_INLINE std::array<std::size_t, kPairs> pairOffsets(const BodyGrid& grid)
+{
+    const auto row = static_cast<std::size_t>(grid.row);
+    const auto slice = static_cast<std::size_t>(grid.slice);
+    return {0, 4 * row, 4 * slice, 4 * (slice + row)};
+}
+
+HWY_INLINE Lanes3 clampedVelocity(const float* HWY_RESTRICT position, const float* HWY_RESTRICT previous)
+{
+    const Lanes3 v = loaded3(position) - loaded3(previous);
+    return {clamped(v.x, -kBodyFastestM, kBodyFastestM), clamped(v.y, -kBodyFastestM, kBodyFastestM),
+            clamped(v.z, -kBodyFastestM, kBodyFastestM)};
+}
+
+BodyBounds BoundsOfBody(const BodyNodes& nodes, std::size_t begin, std::size_t end)
+{
+    constexpr float kFar = 1e6F;
+    Lanes3 least3{kFar, kFar, kFar};
+    Lanes3 most3{-kFar, -kFar, -kFar};
+    const auto count = static_cast<std::size_t>(nodes.nodes);
+    for (std::size_t block = begin; block < end; ++block)
+        for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(Tag())) {
+            const Yes counts = loaded(nodes.hair + block * kLanes + lane) > 0.0F;
+            if (!any(counts))
+                continue;
+            for (std::size_t node = kFirstBodyNode; node < count; ++node) {
+                const Lanes3 p = loaded3(nodes.positions + (block * count + node) * StrandBlocks::kNodeStride + lane);
+                least3 = select(counts, {least(p.x, least3.x), least(p.y, least3.y), least(p.z, least3.z)}, least3);
+                most3 = select(counts, {most(p.x, most3.x), most(p.y, most3.y), most(p.z, most3.z)}, most3);
+            }
+        }
+    BodyBounds bounds;
+    const std::array<Lanes, 3> low{least3.x, least3.y, least3.z};
+    const std::array<Lanes, 3> high{most3.x, most3.y, most3.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        HWY_ALIGN float values[2 * kLanes];
+        stored(low[axis], values);
+        stored(high[axis], values + kLanes);
+        bounds.least[axis] = *std::min_element(values, values + hn::Lanes(Tag()));
+        bounds.greatest[axis] = *std::max_element(values + kLanes, values + kLanes + hn::Lanes(Tag()));
+    }
+    return bounds;
+}
+
+void SplatBody(const BodyNodes& nodes, const BodyGrid& grid, std::size_t begin, std::size_t end)
+{
+    const std::size_t width = hn::Lanes(Tag());
+    const auto count = static_cast<std::size_t>(nodes.nodes);
+    const std::array<std::size_t, kPairs> offsets = pairOffsets(grid);
+    HWY_ALIGN std::int32_t index[kLanes];
+    HWY_ALIGN float value[kLanes * 4];
+    HWY_ALIGN float x[kLanes];
+    HWY_ALIGN float weights[kPairs * kLanes];
+    for (std::size_t block = begin; block < end; ++block)
+        for (std::size_t lane = 0; lane < kLanes; lane += width) {
+            const Lanes hair = loaded(nodes.hair + block * kLanes + lane);
+            if (!any(hair > 0.0F))
+                continue;
+            for (std::size_t node = kFirstBodyNode; node < count; ++node) {
+                const std::size_t at = (block * count + node) * StrandBlocks::kNodeStride + lane;
+                const CellOfNode cell = cellOf(grid, loaded3(nodes.positions + at));
+                hn::Store(cell.index, IntTag(), index);
+                const Lanes3 momentum =
+                    clampedVelocity(nodes.positions + at, nodes.previous + at) * (hair * (1.0F / kBodyFastestM));
+                hn::StoreInterleaved4(hair.v, momentum.x.v, momentum.y.v, momentum.z.v, Tag(), value);
+                stored(cell.t.x, x);
+                const Lanes beforeY = 1.0F - cell.t.y;
+                const Lanes beforeZ = 1.0F - cell.t.z;
+                stored(beforeY * beforeZ, weights);
+                stored(cell.t.y * beforeZ, weights + kLanes);
+                stored(beforeY * cell.t.z, weights + 2 * kLanes);
+                stored(cell.t.y * cell.t.z, weights + 3 * kLanes);
+                for (std::size_t i = 0; i < width; ++i) {
+                    if (value[4 * i] == 0.0F)
+                        continue;
+                    const Quad whole = quadOf(value + 4 * i);
+                    const CellPair alongX = pairOf(whole * quadOf(1.0F - x[i]), whole * quadOf(x[i]));
+                    std::int32_t* const first = grid.cells + std::size_t{4} * static_cast<std::size_t>(index[i]);
+                    for (std::size_t pair = 0; pair < kPairs; ++pair)
+                        addPair(alongX, weights[pair * kLanes + i], first + offsets[pair]);
+                }
+            }
+        }
+}
+
+void ReadBody(const BodyNodes& nodes, const BodyGrid& grid, float* out, std::size_t begin, std::size_t end)
+{
+    const auto count = static_cast<std::size_t>(nodes.nodes);
+    const std::array<std::size_t, kPairs> offsets = pairOffsets(grid);
+    HWY_ALIGN std::int32_t index[kLanes];
+    HWY_ALIGN float t[3 * kLanes];
+    HWY_ALIGN float values[kLanes * 4];
+    for (std::size_t block = begin; block < end; ++block)
+        for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(Tag()))
+            for (std::size_t node = 0; node < count; ++node) {
+                const CellOfNode cell =
+                    cellOf(grid, loaded3(nodes.positions + (block * count + node) * StrandBlocks::kNodeStride + lane));
+                hn::Store(cell.index, IntTag(), index);
+                stored3(cell.t, t);
+                for (std::size_t i = 0; i < hn::Lanes(Tag()); ++i) {
+                    const std::int32_t* const first = grid.cells + std::size_t{4} * static_cast<std::size_t>(index[i]);
+                    const auto alongY = [&](std::size_t pair) {
+                        const CellPair low = pairAt(first + offsets[pair]);
+                        return plus(low, pairAt(first + offsets[pair + 1]) - low, t[kLanes + i]);
+                    };
+                    const CellPair front = alongY(0);
+                    const CellPair all = plus(front, alongY(2) - front, t[2 * kLanes + i]);
+                    stored(firstCell(all) + (secondCell(all) - firstCell(all)) * quadOf(t[i]), values + 4 * i);
+                }
+                Lanes hair;
+                Lanes3 momentum;
+                hn::LoadInterleaved4(Tag(), values, hair.v, momentum.x.v, momentum.y.v, momentum.z.v);
+                stored(hair, out + (block * count + node) * kLanes + lane);
+            }
+}
+
+/// What the grid holds at one node, and its slope, a cell.
+struct BodyAtNodes
+{
+    HWY_ALIGN float values[kLanes * 4]; ///< Hair and its momentum.
+    HWY_ALIGN float slope[3 * kLanes];  ///< Of the hair.
+};
+
+/// `t`: [3][kLanes].
+HWY_INLINE void readNode(const std::int32_t* HWY_RESTRICT first, const std::array<std::size_t, kPairs>& offsets,
+                         const float* HWY_RESTRICT t, std::size_t lane, BodyAtNodes& out)
+{
+    const float x = t[lane];
+    const float y = t[kLanes + lane];
+    const float z = t[2 * kLanes + lane];
+    const CellPair low = pairAt(first);
+    const CellPair lowBehind = pairAt(first + offsets[2]);
+    const CellPair rise = pairAt(first + offsets[1]) - low;
+    const CellPair riseBehind = pairAt(first + offsets[3]) - lowBehind;
+    const CellPair front = plus(low, rise, y);
+    const CellPair depth = plus(lowBehind, riseBehind, y) - front;
+    const CellPair all = plus(front, depth, z);
+    const CellPair up = plus(rise, riseBehind - rise, z);
+    const Quad beside = secondCell(all) - firstCell(all);
+    stored(firstCell(all) + beside * quadOf(x), out.values + 4 * lane);
+    out.slope[lane] = firstOf(beside);
+    const auto along = [x](const CellPair& pair) {
+        const float first = firstOf(firstCell(pair));
+        return first + (firstOf(secondCell(pair)) - first) * x;
+    };
+    out.slope[kLanes + lane] = along(up);
+    out.slope[2 * kLanes + lane] = along(depth);
+}
+
+/// How far hair around takes a node in a step that moved by `velocity` in the last.
+HWY_INLINE Lanes3 pushOf(const BodyGains& gains, const BodyAtNodes& at, Lanes perRest, const Lanes3& velocity)
+{
+    Lanes hair;
+    Lanes3 momentum;
+    hn::LoadInterleaved4(Tag(), at.values, hair.v, momentum.x.v, momentum.y.v, momentum.z.v);
+    const Lanes3 around = momentum * (kBodyFastestM / most(hair, 1.0F));
+    const Lanes3 taken = (around - velocity) * gains.friction;
+    const Lanes above = hair * perRest - (1.0F + kBodyDeadBand);
+    const Yes dense = above > 0.0F;
+    if (!any(dense))
+        return taken;
+    const Lanes much = clamped(above * (1.0F / kBodyRange), 0.0F, 1.0F);
+    // Out of where hair is dense; not at all where it is dense all around.
+    constexpr float kEven = 0.25F; // Slope of a cell, as a fraction of what it holds, that tells a direction.
+    const Lanes3 slope{loaded(at.slope), loaded(at.slope + kLanes), loaded(at.slope + 2 * kLanes)};
+    const Lanes even = hair * kEven;
+    const Lanes3 outward = slope * (Lanes(-1.0F) / root(most(dot(slope, slope) + even * even, 1.0F)));
+    const Lanes inward = least(dot(velocity - around, outward), 0.0F);
+    return taken + outward * (much * (gains.push - gains.damping * inward));
+}
+
+void PushBody(const BodyNodes& nodes, const BodyGrid& grid, const BodyPush& push, std::size_t begin, std::size_t end)
+{
+    const std::size_t width = hn::Lanes(Tag());
+    const auto count = static_cast<std::size_t>(nodes.nodes);
+    const std::array<std::size_t, kPairs> offsets = pairOffsets(grid);
+    HWY_ALIGN std::int32_t index[kLanes];
+    HWY_ALIGN float t[3 * kLanes];
+    BodyAtNodes read;
+    for (std::size_t block = begin; block < end; ++block)
+        for (std::size_t lane = 0; lane < kLanes; lane += width) {
+            if (all(loaded(push.still + block * push.stillStride + lane) >= kStillSteps))
+                continue;
+            for (std::size_t node = kFirstPushedNode; node < count; ++node) {
+                const std::size_t at = (block * count + node) * StrandBlocks::kNodeStride + lane;
+                const CellOfNode cell = cellOf(grid, loaded3(nodes.positions + at));
+                hn::Store(cell.index, IntTag(), index);
+                stored3(cell.t, t);
+                for (std::size_t i = 0; i < width; ++i)
+                    readNode(grid.cells + std::size_t{4} * static_cast<std::size_t>(index[i]), offsets, t, i, read);
+                const Lanes perRest =
+                    loaded(push.perRest + (block * count + node) * kLanes + lane) * push.densityPerUnit;
+                const Lanes3 pushed =
+                    pushOf(push.gains, read, perRest, clampedVelocity(nodes.positions + at, nodes.previous + at));
+                stored3(pushed, push.out + at);
+            }
+        }
+}
+
+} // namespace hairpaint::sim::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hairpaint::sim {
+
+HWY_EXPORT(BoundsOfBody);
+HWY_EXPORT(SplatBody);
+HWY_EXPORT(ReadBody);
+HWY_EXPORT(PushBody);
+
+BodyBounds boundsOfBody(const BodyNodes& nodes, std::size_t begin, std::size_t end)
+{
+    return HWY_DYNAMIC_DISPATCH(BoundsOfBody)(nodes, begin, end);
+}
+
+void splatBody(const BodyNodes& nodes, const BodyGrid& grid, std::size_t begin, std::size_t end)
+{
+    HWY_DYNAMIC_DISPATCH(SplatBody)(nodes, grid, begin, end);
+}
+
+void readBody(const BodyNodes& nodes, const BodyGrid& grid, float* out, std::size_t begin, std::size_t end)
+{
+    HWY_DYNAMIC_DISPATCH(ReadBody)(nodes, grid, out, begin, end);
+}
+
+void pushBody(const BodyNodes& nodes, const BodyGrid& grid, const BodyPush& push, std::size_t begin, std::size_t end)
+{
+    HWY_DYNAMIC_DISPATCH(PushBody)(nodes, grid, push, begin, end);
+}
+
+} // namespace hairpaint::sim
+#endif

@@ -1,0 +1,58 @@
+// The body of a group's hair: it keeps out of hair and moves along with it.
+#pragma once
+
+#include "sim/base/aligned_floats.h"
+#include "sim/groom/groom.h"
+#include "sim/solver/body_kernel.h"
+#include "sim/solver/strand_state.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hairpaint::sim {
+
+/// Hair where it is denser than at rest is pushed out of there, and hair that moves against the hair around it is
+/// dragged along. Density and velocity are those of a grid, which is made anew every kStepsAGrid steps; between, the
+/// pushes stay as they are. At rest is what the rest shape has at each node, or what loose hair has where that is more.
+/// A node's push counts as gravity does, so that stiffness, lengths and contact answer to it in the same step. Loops
+/// run through parallelFor, with the same result for any number of threads.
+class HairBody
+{
+public:
+    static constexpr std::size_t kStepsAGrid = 4;
+
+    void setGroom(const Groom& groom);
+    /// The hair is elsewhere than it was: no pushes until the next grid, which is made with the next step.
+    void forget();
+    /// Before a step; makes a grid where it is time for one. Returns how many steps of `wanted` its pushes are for.
+    [[nodiscard]] std::size_t meet(const StrandState& state, std::size_t wanted);
+
+    [[nodiscard]] const float* pushes() const { return m_pushes.data(); }
+    [[nodiscard]] std::uint64_t gridsMade() const { return m_gridsMade; }
+
+private:
+    using Cells = std::vector<std::int32_t, CacheLineAllocator<std::int32_t>>;
+
+    void countHairs(const Groom& groom);
+    void measureRest(const Groom& groom);
+    /// Splats into m_grid.
+    void makeGrid(const BodyNodes& nodes);
+    [[nodiscard]] BodyNodes nodesOf(const StrandState& state) const;
+    [[nodiscard]] float densityPerUnit() const;
+
+    int m_nodes = 0;
+    std::size_t m_blocks = 0;
+    float m_cellM = 0.01F;
+    float m_metresPerUnit = 0.0F; ///< Length of hair that a unit of the grid stands for.
+    BodyGains m_gains;
+    BodyGrid m_grid;
+    std::vector<Cells> m_parts;  ///< Each thread's cells; the sum is in the first.
+    AlignedFloats m_hair;        ///< See BodyNodes.
+    AlignedFloats m_perRest;     ///< See BodyPush,
+    AlignedFloats m_pushes;      ///< and so its `out`.
+    std::size_t m_stepsLeft = 0; ///< For which m_pushes are.
+    std::uint64_t m_gridsMade = 0;
+};
+
+} // namespace hairpaint::sim
