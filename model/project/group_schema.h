@@ -14,6 +14,7 @@ namespace hairpaint::model {
 enum class SettingSection
 {
     Shape,
+    Curl,
     Variation,
     Braid,
     Physics,

@@ -46,7 +46,7 @@ public:
                 return braid(slot, style, chance, centre);
         }
         m_lay.add(layRootOf(roots, slot, chance), style.lengthM);
-        m_laid[m_waiting++] = {.slot = slot, .style = style, .own = own};
+        m_laid[m_waiting++] = {.slot = slot, .style = style, .own = own, .gathered = gatheredBy(values.curl)};
         if (m_lay.isFull())
             finish();
     }
@@ -73,8 +73,10 @@ public:
             Laid& hair = m_laid[i];
             const float clump = m_clump.clump[i];
             // Hairs that lie together curl together: a ringlet is one curl of many hairs.
-            hair.style.phase += (hair.basisPhase - hair.style.phase) * clump;
-            varyCurl(clump > kKeepsStep ? variationOf(variation, roots.seed, hair.basisRank) : hair.own, hair.style);
+            hair.style.phase += (hair.basisPhase - hair.style.phase) * (hair.isInStep ? 1.0F : clump);
+            varyCurl(hair.isInStep || clump > kKeepsStep ? variationOf(variation, roots.seed, hair.basisRank)
+                                                         : hair.own,
+                     hair.style);
             if (hair.own.isTurned())
                 turnLane(hair.own, clump, roots.frame(hair.slot), hair.style.lengthM, m_clump.nodes,
                          nodesHd.data() + i);
@@ -109,6 +111,8 @@ private:
         std::uint32_t slot = 0;
         StrandStyle style;
         HairVariation own;
+        float gathered = 0.0F;       ///< Clump that its curl gives it.
+        bool isInStep = false;       ///< Its curl is its lock's, however far it clumps.
         float basisPhase = 0.0F;     ///< Of what it clumps to.
         std::uint32_t basisRank = 0; ///< The same.
     };
@@ -132,6 +136,12 @@ private:
         store(slot, style, {.centre = centre});
     }
 
+    [[nodiscard]] float gatheredBy(float curl) const
+    {
+        constexpr float kCurled = 0.2F; ///< Of the curl map: from there on as the group says.
+        return m_inputs.settings.curl.gather * std::min(curl / kCurled, 1.0F);
+    }
+
     /// Prepares a laid hair's being drawn to its lock; whether it is drawn.
     bool findLock(std::size_t hair)
     {
@@ -139,8 +149,17 @@ private:
         const std::uint32_t slot = m_laid[hair].slot;
         const std::uint32_t basisIndex = roots.neighbours[slot][0];
         const std::uint32_t basis = roots.basisSlot[basisIndex];
-        const float clump =
-            basis == slot || m_laid[hair].own.isFlyaway ? 0.0F : m_inputs.maps[MapSlot::Clump].scalar(roots.uv[slot]);
+        if (basis == slot || m_laid[hair].own.isFlyaway)
+            return false;
+        float clump = m_inputs.maps[MapSlot::Clump].scalar(roots.uv[slot]);
+        const float gathered = m_laid[hair].gathered;
+        if (gathered > 0.0F)
+            clump = 1.0F - (1.0F - clump) * (1.0F - gathered);
+        m_laid[hair].isInStep = m_inputs.settings.turnsMode == TurnsMode::Coils && m_laid[hair].style.turns > 0.0F;
+        if (m_laid[hair].isInStep) {
+            m_laid[hair].basisRank = roots.rankOfSlot[basis];
+            m_laid[hair].basisPhase = chanceOf(roots.seed, roots.rankOfSlot[basis]).phase;
+        }
         if (clump <= 0.0F)
             return false;
         m_clump.clump[hair] = clump;

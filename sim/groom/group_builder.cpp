@@ -97,7 +97,7 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
             [&](std::uint32_t slot) { dirty.basis.insert(roots->basisSlot[roots->neighbours[slot][0]]); });
         updateBasis(settings, maps, lay, dirty.basis);
         updateBraids(settings, dirty.hairs);
-        updateClumped(maps[MapSlot::Clump], dirty.hairs);
+        updateClumped(settings, maps[MapSlot::Clump], dirty.hairs);
         rebuildChunks(settings, maps, lay, dirty, *groom, result.rebuilt);
         updateWanted(*groom);
     }
@@ -229,9 +229,13 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
             const std::uint32_t slot = roots.basisSlot[i];
             if (!dirty.contains(slot))
                 continue;
-            const float lengthM = std::max(basisLengthOf(i, settings, maps[MapSlot::Length]), kShortestBasisM);
-            basis[BasisQuantity::Gel][i] = maps[MapSlot::Gel].scalar(roots.uv[slot]);
             const float curl = m_kinds[slot] == 0 ? maps[MapSlot::Curl].scalar(roots.uv[slot]) : 0.0F;
+            const float shortened = settings.lengthAsCut && curl > 0.0F
+                                        ? seenOverCut(settings, curl, maps[MapSlot::CurlSize].scalar(roots.uv[slot]))
+                                        : 1.0F;
+            const float lengthM =
+                std::max(basisLengthOf(i, settings, maps[MapSlot::Length]) * shortened, kShortestBasisM);
+            basis[BasisQuantity::Gel][i] = maps[MapSlot::Gel].scalar(roots.uv[slot]);
             basis[BasisQuantity::Give][i] =
                 curl > 0.0F
                     ? giveOf(coilOf(settings, curl, maps[MapSlot::CurlSize].scalar(roots.uv[slot]), lengthM), lengthM)
@@ -280,7 +284,7 @@ void GroupBuilder::updateBraids(const GroupSettings& settings, SlotSet& dirty)
     m_kindOfBasis = std::move(kindOfBasis);
 }
 
-void GroupBuilder::updateClumped(const MapSampler& clump, SlotSet& dirty) const
+void GroupBuilder::updateClumped(const GroupSettings& settings, const MapSampler& clump, SlotSet& dirty) const
 {
     if (!m_groom)
         return;
@@ -292,7 +296,7 @@ void GroupBuilder::updateClumped(const MapSampler& clump, SlotSet& dirty) const
             const std::uint32_t slot = m_led[i];
             const StrandChunk* chunk = m_groom->chunks[chunkOf(slot)].get();
             if (chunk != nullptr && chunk->hairs[inChunk(slot)] && !dirty.contains(slot) &&
-                roots.basisSlot[basis] != slot && clump.scalar(roots.uv[slot]) > 0.0F)
+                roots.basisSlot[basis] != slot && (settings.curl.gather > 0.0F || clump.scalar(roots.uv[slot]) > 0.0F))
                 dirty.insert(slot);
         }
     }

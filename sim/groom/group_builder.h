@@ -48,7 +48,7 @@ private:
                      const SlotSet& dirty);
     void updateBraids(const GroupSettings& settings, SlotSet& dirty);
     /// Adds the hairs that clump to a basis hair that lies otherwise.
-    void updateClumped(const MapSampler& clump, SlotSet& dirty) const;
+    void updateClumped(const GroupSettings& settings, const MapSampler& clump, SlotSet& dirty) const;
     void rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const LayInputs& lay,
                        const ChangedSlots& dirty, Groom& groom, SlotSet& rebuilt);
     void countDependents(const StrandChunk* chunk, std::size_t chunkIndex, const SlotSet& slots, std::uint32_t one);

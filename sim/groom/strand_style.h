@@ -42,6 +42,10 @@ struct RootChance
 /// Of the curl-size map's value, m: exactly half of the greatest where nothing is painted.
 [[nodiscard]] float curlRadiusOf(const GroupSettings& settings, float value);
 
+/// Seen length over cut length p / sqrt(p^2 + (pi D)^2) of a coil of pitch p and diameter D; 1 where lengths are as
+/// seen.
+[[nodiscard]] float seenOverCut(const GroupSettings& settings, float curl, float curlSize);
+
 /// Turns by table 1 for a curl value of 0..1; `stepped` rounds to the table's levels.
 [[nodiscard]] float turnsOfCurl(float value, bool stepped);
 
