@@ -13,12 +13,14 @@ namespace {
 
 using sim::CurlSettings;
 using sim::GroupSettings;
+using sim::LockSettings;
 using sim::PhysicsSettings;
 using sim::StrandMaterial;
 using sim::VariationSettings;
 
 constexpr auto kShape = SettingSection::Shape;
 constexpr auto kCurl = SettingSection::Curl;
+constexpr auto kLocks = SettingSection::Locks;
 constexpr auto kChance = SettingSection::Variation;
 constexpr auto kBraid = SettingSection::Braid;
 constexpr auto kMotion = SettingSection::Physics;
@@ -119,6 +121,22 @@ constexpr GroupSetting kSettings[] = {
     {"curl.gather", &CurlSettings::gather, kCurl, QT_TRANSLATE_NOOP("GroupSchema", "Curls gather"),
      QT_TRANSLATE_NOOP("GroupSchema", "How closely curled hair gathers in locks where no clump is painted"), "%", 100.0,
      0.0, 1.0, 0.0, 100.0},
+    {"locks.size_m", &LockSettings::sizeM, kLocks, QT_TRANSLATE_NOOP("GroupSchema", "Lock size"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Distance of locks; at 0 each simulated hair has its own"),
+     QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.1, 0.0, 60.0, 1, 1.5F},
+    {"locks.small", &LockSettings::small, kLocks, QT_TRANSLATE_NOOP("GroupSchema", "Small locks"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How far each lock is made of small ones, a simulated hair each"), "%", 100.0,
+     0.0, 1.0, 0.0, 100.0},
+    {"locks.flatness", &LockSettings::flatness, kLocks, QT_TRANSLATE_NOOP("GroupSchema", "Flat locks"),
+     QT_TRANSLATE_NOOP("GroupSchema", "0 is round, 100 % a ribbon along the skin"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
+    {"locks.twists_per_m", &LockSettings::twistsPerM, kLocks, QT_TRANSLATE_NOOP("GroupSchema", "Twisted locks"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How often a lock turns about itself"),
+     QT_TRANSLATE_NOOP("GroupSchema", "per 10 cm"), 0.1, 0.0, 50.0, 0.0, 5.0, 1, 2.0F},
+    {"locks.ragged", &LockSettings::ragged, kLocks, QT_TRANSLATE_NOOP("GroupSchema", "Ragged edges"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How many hairs at the edge of a lock belong to the next"), "%", 100.0, 0.0, 1.0,
+     0.0, 100.0},
+    {"locks.parting", &LockSettings::parting, kLocks, QT_TRANSLATE_NOOP("GroupSchema", "Open tips"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How far hairs leave their lock near the tip"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
     {"variation.length", &VariationSettings::length, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Uneven lengths"),
      QT_TRANSLATE_NOOP("GroupSchema", "How much shorter than the map single hairs are"), "%", 100.0, 0.0, 1.0, 0.0,
      100.0, 0, 2.0F},
@@ -180,6 +198,11 @@ template<typename Settings>
 auto& memberOf(Settings& settings, float CurlSettings::*member)
 {
     return settings.curl.*member;
+}
+template<typename Settings>
+auto& memberOf(Settings& settings, float LockSettings::*member)
+{
+    return settings.locks.*member;
 }
 template<typename Settings>
 auto& memberOf(Settings& settings, float VariationSettings::*member)

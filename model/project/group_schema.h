@@ -15,6 +15,7 @@ enum class SettingSection
 {
     Shape,
     Curl,
+    Locks,
     Variation,
     Braid,
     Physics,

@@ -134,6 +134,11 @@ void GroupBuilder::findRelaid(const LayField::Difference& difference, ChangedSlo
 
 void GroupBuilder::startOver(const GroomInput::Group& input, const std::shared_ptr<const RootSet>& roots)
 {
+    const float lockSizeM = input.settings.locks.sizeM;
+    if (roots != m_roots || lockSizeM != m_lockSizeM) {
+        m_locks = LockPartition(*roots, lockSizeM);
+        m_lockSizeM = lockSizeM;
+    }
     if (roots != m_roots) {
         m_roots = roots;
         // Counted, summed up, filled in.
@@ -288,6 +293,8 @@ void GroupBuilder::updateClumped(const GroupSettings& settings, const MapSampler
 {
     if (!m_groom)
         return;
+    if (!m_locks.isOfBasis())
+        return updateLocks(settings, clump, dirty);
     const RootSet& roots = *m_roots;
     for (std::size_t basis = 0; basis < m_basisRelaid.size(); ++basis) {
         if (m_basisRelaid[basis] == 0)
@@ -302,6 +309,30 @@ void GroupBuilder::updateClumped(const GroupSettings& settings, const MapSampler
     }
 }
 
+void GroupBuilder::updateLocks(const GroupSettings& settings, const MapSampler& clump, SlotSet& dirty) const
+{
+    if (std::ranges::find(m_basisRelaid, std::uint8_t{1}) == m_basisRelaid.end())
+        return;
+    const RootSet& roots = *m_roots;
+    parallelFor(m_groom->chunks.size(), 4, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t index = begin; index < end; ++index) {
+            const StrandChunk* chunk = m_groom->chunks[index].get();
+            if (chunk == nullptr)
+                continue;
+            const std::size_t firstSlot = index * kChunkSlots;
+            for (std::size_t local = 0; local < std::min<std::size_t>(kChunkSlots, roots.count() - firstSlot);
+                 ++local) {
+                const auto slot = static_cast<std::uint32_t>(firstSlot + local);
+                const bool isRelaid = m_basisRelaid[chunk->lockLeader[local]] != 0 ||
+                                      (settings.locks.small > 0.0F && m_basisRelaid[roots.neighbours[slot][0]] != 0);
+                if (isRelaid && chunk->hairs[local] && !dirty.contains(slot) &&
+                    (settings.curl.gather > 0.0F || settings.locks.small > 0.0F || clump.scalar(roots.uv[slot]) > 0.0F))
+                    dirty.insert(slot);
+            }
+        }
+    });
+}
+
 void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const LayInputs& lay,
                                  const ChangedSlots& dirty, Groom& groom, SlotSet& rebuilt)
 {
@@ -309,8 +340,8 @@ void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSampler
     for (std::size_t chunk = 0; chunk < dirty.hairs.chunkCount(); ++chunk)
         if (!dirty.hairs.chunkEmpty(chunk) || !dirty.look.chunkEmpty(chunk))
             stale.push_back(chunk);
-    const ChunkInputs inputs{settings, *m_roots, maps,          lay, m_newBasis ? *m_newBasis : *m_basis,
-                             m_braids, m_kinds,  m_basisLengthM};
+    const ChunkInputs inputs{settings, *m_roots, maps,           lay,    m_newBasis ? *m_newBasis : *m_basis,
+                             m_braids, m_kinds,  m_basisLengthM, m_locks};
     const std::vector<std::shared_ptr<const StrandChunk>> before = groom.chunks;
     parallelFor(stale.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
@@ -323,7 +354,8 @@ void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSampler
         if (was == is)
             continue;
         // Most often they follow whom they followed.
-        if (was == nullptr || is == nullptr || was->drawn != is->drawn || was->braidCentre != is->braidCentre) {
+        if (was == nullptr || is == nullptr || was->drawn != is->drawn || was->braidCentre != is->braidCentre ||
+            was->lockLeader != is->lockLeader) {
             // Subtracting modulo 2^32: one of -1 takes a dependent away.
             countDependents(was, i, rebuilt, ~0U);
             countDependents(is, i, rebuilt, 1U);
@@ -350,6 +382,8 @@ void GroupBuilder::countDependents(const StrandChunk* chunk, std::size_t chunkIn
             m_drawnDependents[chunk->braidCentre[local]] += one;
             return;
         }
+        if (!chunk->lockLeader.empty())
+            m_drawnDependents[chunk->lockLeader[local]] += one;
         for (std::size_t k = 0; k < RootSet::kNeighbours; ++k)
             if (m_roots->weights[slot][k] > 0.0F)
                 m_drawnDependents[m_roots->neighbours[slot][k]] += one;

@@ -36,6 +36,12 @@ constexpr SettingEffect kSettingEffects[] = {
     {&CurlSettings::skips, Affects::Hairs},
     {&CurlSettings::uncoil, Affects::Hairs},
     {&CurlSettings::gather, Affects::Hairs},
+    {&LockSettings::sizeM, Affects::Hairs},
+    {&LockSettings::small, Affects::Hairs},
+    {&LockSettings::flatness, Affects::Hairs},
+    {&LockSettings::twistsPerM, Affects::Hairs},
+    {&LockSettings::ragged, Affects::Hairs},
+    {&LockSettings::parting, Affects::Hairs},
     {&VariationSettings::length, Affects::Hairs},
     {&VariationSettings::curl, Affects::Hairs},
     {&VariationSettings::width, Affects::Hairs},
@@ -66,6 +72,10 @@ const GroupSettings& partOf(const GroupSettings& settings, T GroupSettings::* /*
 const CurlSettings& partOf(const GroupSettings& settings, float CurlSettings::* /*member*/)
 {
     return settings.curl;
+}
+const LockSettings& partOf(const GroupSettings& settings, float LockSettings::* /*member*/)
+{
+    return settings.locks;
 }
 const VariationSettings& partOf(const GroupSettings& settings, float VariationSettings::* /*member*/)
 {

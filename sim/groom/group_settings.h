@@ -65,6 +65,18 @@ struct CurlSettings
     friend bool operator==(const CurlSettings&, const CurlSettings&) = default;
 };
 
+/// The locks that clump draws hair to.
+struct LockSettings
+{
+    float sizeM = 0.0F;      ///< 0..0.1: distance of locks, no less than that of the solved hairs; 0: that.
+    float small = 0.0F;      ///< 0..1: clump of the small locks, a solved hair each, that a lock is made of.
+    float flatness = 0.0F;   ///< 0..1: from a round lock to a ribbon that lies on the skin.
+    float twistsPerM = 0.0F; ///< 0..50: turns of a lock about itself.
+    float ragged = 0.0F;     ///< 0..1: how far hairs at a lock's edge belong to the next.
+    float parting = 0.0F;    ///< 0..1: how far hairs leave their lock over its last third.
+    friend bool operator==(const LockSettings&, const LockSettings&) = default;
+};
+
 /// Nodes of a skeleton, root and tip included.
 inline constexpr int kLeastNodes = 4;
 inline constexpr int kMostNodes = 32;
@@ -85,6 +97,7 @@ struct GroupSettings
     float braidRadiusM = 0.014F;        ///< Radius r of equation 3.
     bool lengthAsCut = false;           ///< With Coils: the length map is the fibre's, which its curl shortens.
     CurlSettings curl;
+    LockSettings locks;
     VariationSettings variation;
     PhysicsSettings physics;
     StrandMaterial material;
@@ -108,9 +121,9 @@ enum class Affects : std::uint8_t
     return (static_cast<std::uint8_t>(what) & static_cast<std::uint8_t>(asked)) != 0;
 }
 
-using SettingMember =
-    std::variant<float GroupSettings::*, int GroupSettings::*, bool GroupSettings::*, TurnsMode GroupSettings::*,
-                 float CurlSettings::*, float VariationSettings::*, float PhysicsSettings::*, float StrandMaterial::*>;
+using SettingMember = std::variant<float GroupSettings::*, int GroupSettings::*, bool GroupSettings::*,
+                                   TurnsMode GroupSettings::*, float CurlSettings::*, float LockSettings::*,
+                                   float VariationSettings::*, float PhysicsSettings::*, float StrandMaterial::*>;
 
 /// What a setting affects. Each has a row in group_settings.cpp.
 [[nodiscard]] Affects affectsOf(const SettingMember& setting);

@@ -86,6 +86,8 @@ inline model::Project makeSampleProject(int mapSize = 256, const std::vector<mod
                   .skips = 0.08F,
                   .uncoil = 0.2F,
                   .gather = 0.7F};
+        s.locks = {
+            .sizeM = 0.013F, .small = 0.4F, .flatness = 0.3F, .twistsPerM = 4.0F, .ragged = 0.6F, .parting = 0.2F};
         s.physics = {.damping = 3.3F,
                      .gravityScale = 0.9F,
                      .windScale = 1.7F,

@@ -138,9 +138,10 @@ void HairPanel::buildGroups(QVBoxLayout& layout)
 void HairPanel::buildSettings(QVBoxLayout& layout)
 {
     const std::pair<SettingSection, QString> titles[] = {
-        {SettingSection::Shape, tr("Shape")},         {SettingSection::Curl, tr("Curl")},
-        {SettingSection::Variation, tr("Variation")}, {SettingSection::Braid, tr("Braids")},
-        {SettingSection::Physics, tr("Motion")},      {SettingSection::Look, tr("Look")}};
+        {SettingSection::Shape, tr("Shape")},  {SettingSection::Curl, tr("Curl")},
+        {SettingSection::Locks, tr("Locks")},  {SettingSection::Variation, tr("Variation")},
+        {SettingSection::Braid, tr("Braids")}, {SettingSection::Physics, tr("Motion")},
+        {SettingSection::Look, tr("Look")}};
     for (const auto& [kind, title] : titles) {
         auto* section = new Section(title, this);
         if (kind == SettingSection::Curl)
@@ -430,6 +431,7 @@ void HairPanel::addGroup(const model::HairKind& kind)
     const QString name = numbered(number);
     GroupSettings settings = model::newGroupSettings(scalpFraction());
     settings.variation = model::naturalVariation();
+    model::setHairType(settings, model::hairType("3B"));
     kind.apply(settings);
     const model::Result<Grown> made = m_grow(kind, m_state.document().committed().head);
     if (!made)
