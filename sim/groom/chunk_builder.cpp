@@ -45,7 +45,8 @@ public:
             if (centre != kNoCentre)
                 return braid(slot, style, chance, centre);
         }
-        m_lay.add(layRootOf(roots, slot, chance), style.lengthM);
+        m_lay.add(layRootOf(roots, slot, chance, liftOf(m_inputs.settings, style.curlRadiusM, style.lengthM)),
+                  style.lengthM);
         m_laid[m_waiting++] = {.slot = slot, .style = style, .own = own, .gathered = gatheredBy(values.curl)};
         if (m_lay.isFull())
             finish();

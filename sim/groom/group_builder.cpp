@@ -241,17 +241,18 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
             const float lengthM =
                 std::max(basisLengthOf(i, settings, maps[MapSlot::Length]) * shortened, kShortestBasisM);
             basis[BasisQuantity::Gel][i] = maps[MapSlot::Gel].scalar(roots.uv[slot]);
-            basis[BasisQuantity::Give][i] =
-                curl > 0.0F
-                    ? giveOf(coilOf(settings, curl, maps[MapSlot::CurlSize].scalar(roots.uv[slot]), lengthM), lengthM)
-                    : 0.0F;
+            const Coil coil =
+                curl > 0.0F ? coilOf(settings, curl, maps[MapSlot::CurlSize].scalar(roots.uv[slot]), lengthM) : Coil{};
+            basis[BasisQuantity::Give][i] = curl > 0.0F ? giveOf(coil, lengthM) : 0.0F;
             basis[BasisQuantity::Girth][i] = braidGirthM(settings, static_cast<BraidKind>(m_kinds[slot]), lengthM);
             if (lengthM != m_basisLengthM[i]) {
                 m_basisLengthM[i] = lengthM;
                 m_basisChanged[i] = 1;
             }
             basis[BasisQuantity::SegmentLength][i] = lengthM / static_cast<float>(nodeCount - 1);
-            batch.add(layRootOf(roots, slot, chanceOf(roots.seed, roots.rankOfSlot[slot])), lengthM);
+            batch.add(layRootOf(roots, slot, chanceOf(roots.seed, roots.rankOfSlot[slot]),
+                                liftOf(settings, coil.radiusM, lengthM)),
+                      lengthM);
             added.push_back(i);
             if (batch.isFull())
                 store();

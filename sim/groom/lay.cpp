@@ -41,7 +41,7 @@ void Lay::add(const LayRoot& root, float lengthM)
     m_lanes.segmentM[lane] = segmentM;
     m_lanes.steps[lane] = std::max(std::ceil(segmentM / kLongestLayStepM), 1.0F);
     m_lanes.falls[lane] = falls;
-    m_lanes.coatM[lane] = std::min(m_inputs.coatM, 0.001F + 0.12F * lengthM) * (0.3F + 0.7F * root.chance);
+    m_lanes.coatM[lane] = std::min(m_inputs.coatM, 0.001F + 0.12F * lengthM) * (0.3F + 0.7F * root.chance) + root.liftM;
     m_lanes.lies[lane] = square > kStandsBelow * kStandsBelow ? 1.0F : 0.0F;
     m_isUpright[lane] = square == 0.0F;
 }

@@ -20,6 +20,7 @@ struct LayRoot
     SkinFrame frame;
     glm::vec2 uv{0.0F};
     float chance = 0.5F; ///< 0..1, the hair's own: its height in the coat.
+    float liftM = 0.0F;  ///< Above that: the room below a coil's middle.
 };
 
 /// Whether a direction map lets every hair stand along its normal.

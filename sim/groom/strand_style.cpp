@@ -68,12 +68,13 @@ RootChance chanceOf(std::uint64_t seed, std::uint32_t rank)
     return chance;
 }
 
-LayRoot layRootOf(const RootSet& roots, std::uint32_t slot, const RootChance& chance)
+LayRoot layRootOf(const RootSet& roots, std::uint32_t slot, const RootChance& chance, float liftM)
 {
     return {.positionHd = roots.positionHd[slot],
             .frame = roots.frame(slot),
             .uv = roots.uv[slot],
-            .chance = chance.coatHeight};
+            .chance = chance.coatHeight,
+            .liftM = liftM};
 }
 
 RootColours coloursAt(const MapSamplers& maps, glm::vec2 uv)
@@ -149,6 +150,14 @@ Coil coilOf(const GroupSettings& settings, float curl, float curlSize, float len
         coil.radiusM =
             std::min(curlRadiusOf(settings, curlSize), lengthM / coil.turns) * std::min(coil.turns * 2.0F, 1.0F);
     return coil;
+}
+
+float liftOf(const GroupSettings& settings, float radiusM, float lengthM)
+{
+    constexpr float kMostOfLength = 0.25F;
+    if (settings.turnsMode != TurnsMode::Coils)
+        return 0.0F;
+    return std::min(radiusM * (1.0F - settings.curl.flatness), lengthM * kMostOfLength);
 }
 
 float giveOf(const Coil& coil, float lengthM)

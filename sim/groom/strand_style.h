@@ -37,7 +37,7 @@ struct RootChance
 };
 [[nodiscard]] RootChance chanceOf(std::uint64_t seed, std::uint32_t rank);
 
-[[nodiscard]] LayRoot layRootOf(const RootSet& roots, std::uint32_t slot, const RootChance& chance);
+[[nodiscard]] LayRoot layRootOf(const RootSet& roots, std::uint32_t slot, const RootChance& chance, float liftM = 0.0F);
 
 /// Of the curl-size map's value, m: exactly half of the greatest where nothing is painted.
 [[nodiscard]] float curlRadiusOf(const GroupSettings& settings, float value);
@@ -57,6 +57,8 @@ struct Coil
 };
 /// Of the values of curl and curl size for a hair of a length.
 [[nodiscard]] Coil coilOf(const GroupSettings& settings, float curl, float curlSize, float lengthM);
+/// How far above the coat a coil in real units is laid, so that it lies on the skin and not in it; 0 for others.
+[[nodiscard]] float liftOf(const GroupSettings& settings, float radiusM, float lengthM);
 /// By what fraction of its length a coil may stretch and shorten, so that its fibre stretches by no more than 1 %;
 /// 0 where straight.
 [[nodiscard]] float giveOf(const Coil& coil, float lengthM);

@@ -2,6 +2,7 @@
 #include "panel_fixture.h"
 
 #include "model/document/commands.h"
+#include "model/project/hair_types.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/panels/hair_panel.h"

@@ -36,6 +36,12 @@ Style ringlets()
                     user.fill(MapKind::Curl, scalar(1.0F));
                 }};
     model::setHairType(style.settings, model::hairType("3B"));
+    style.settings.curl.diameterM = 0.020F;
+    style.settings.curl.pitchM = 0.050F;
+    style.settings.curl.inStepFromM = 0.010F;
+    style.settings.curl.skips = 0.04F;
+    style.settings.curl.gather = 0.93F;
+    style.settings.locks.sizeM = 0.018F;
     // Locks hold together: what differs within one blurs it.
     style.settings.variation.crossing = 0.02F;
     style.settings.variation.curl = 0.05F;
@@ -74,7 +80,17 @@ Style afro()
                         user.brush(MapKind::Length, user.length(lengthM), {.sizeM = sizeM, .hardness = 0.0F},
                                    user.along(kFrontHairline));
                 }};
+    // A sponge of coils that are out of step for most of their length, and in which nothing is combed.
     model::setHairType(style.settings, model::hairType("4A"));
+    style.settings.curl.diameterM = 0.008F;
+    style.settings.curl.pitchM = 0.010F;
+    style.settings.curl.inStepFromM = 0.06F;
+    style.settings.curl.switchbacksPerM = 40.0F;
+    style.settings.curl.skips = 0.15F;
+    style.settings.curl.gather = 0.6F;
+    style.settings.locks = {.sizeM = 0.012F, .small = 0.5F, .ragged = 0.8F, .parting = 0.8F};
+    style.settings.variation.curl = 0.4F;
+    style.settings.variation.crossing = 0.3F;
     style.settings.material.shine = 0.25F;
     return style;
 }

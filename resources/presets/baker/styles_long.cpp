@@ -128,7 +128,7 @@ Style splitDye()
                     user.setMirror(true);
                     cutToLine(user, -0.155F, 0.09F);
                     user.fill(MapKind::Curl, scalar(1.0F));
-                    user.fill(MapKind::Clump, scalar(0.4F));
+                    user.fill(MapKind::Clump, scalar(0.3F));
                     // A clean parting, so that neither colour strays into the other; no lock has hair of both sides.
                     Recording::Places middle = user.overHead(0.0F, 0.065F, -0.085F);
                     for (const float heightM : {0.05F, 0.02F})
@@ -137,6 +137,7 @@ Style splitDye()
                     user.part({.flatness = 0.93F, .gapM = 0.004F}, middle);
                 }};
     model::setHairType(style.settings, model::hairType("2C"));
+    style.settings.curl.gather = 0.4F;
     style.settings.nodesPerHair = 12;
     return style;
 }
