@@ -1537,6 +1537,142 @@
         <source>How much the roots darken the skin where they are dense</source>
         <translation>Cuánto oscurecen la piel las raíces donde son densas</translation>
     </message>
+    <message>
+        <source>Coils measured in mm</source>
+        <translation>Rizos medidos en mm</translation>
+    </message>
+    <message>
+        <source>Coil diameter</source>
+        <translation>Diámetro del rizo</translation>
+    </message>
+    <message>
+        <source>Of a coil where no curl size is painted; an S is as wide</source>
+        <translation>De un rizo donde no hay tamaño pintado; una S es igual de ancha</translation>
+    </message>
+    <message>
+        <source>Coil pitch</source>
+        <translation>Paso del rizo</translation>
+    </message>
+    <message>
+        <source>From turn to turn along the hair where the curl map is brightest</source>
+        <translation>De vuelta a vuelta a lo largo del cabello donde el mapa de rizo es más claro</translation>
+    </message>
+    <message>
+        <source>Flatness</source>
+        <translation>Inclinación</translation>
+    </message>
+    <message>
+        <source>0 is a coil, 100 % a wave in the shape of an S</source>
+        <translation>0 es un rizo, 100 % una onda en forma de S</translation>
+    </message>
+    <message>
+        <source>In step from</source>
+        <translation>Al compás desde</translation>
+    </message>
+    <message>
+        <source>How far from the scalp the hairs of a lock curl together; before it each alone</source>
+        <translation>A qué distancia del cuero cabelludo los pelos de un mechón se rizan juntos; antes, cada uno por su cuenta</translation>
+    </message>
+    <message>
+        <source>Switchbacks</source>
+        <translation>Cambios de sentido</translation>
+    </message>
+    <message>
+        <source>How often a coil turns the other way and leaves a kink</source>
+        <translation>Con qué frecuencia un rizo gira al revés y deja un quiebro</translation>
+    </message>
+    <message>
+        <source>per 10 cm</source>
+        <translation>por 10 cm</translation>
+    </message>
+    <message>
+        <source>Skipped turns</source>
+        <translation>Vueltas saltadas</translation>
+    </message>
+    <message>
+        <source>How many turns single hairs leap over</source>
+        <translation>Cuántas vueltas se saltan los pelos sueltos</translation>
+    </message>
+    <message>
+        <source>Drawn by weight</source>
+        <translation>Estirado por el peso</translation>
+    </message>
+    <message>
+        <source>How much looser long curls are at the root than on the whole</source>
+        <translation>Cuánto más flojos son los rizos largos en la raíz que en conjunto</translation>
+    </message>
+    <message>
+        <source>Curls shorten</source>
+        <translation>Los rizos acortan</translation>
+    </message>
+    <message>
+        <source>Curls shorten hair: lengths are as cut</source>
+        <translation>Los rizos acortan el cabello: los largos son los del corte</translation>
+    </message>
+    <message>
+        <source>Curls gather</source>
+        <translation>Los rizos se juntan</translation>
+    </message>
+    <message>
+        <source>How closely curled hair gathers in locks where no clump is painted</source>
+        <translation>Cuánto se junta en mechones el cabello rizado donde no hay agrupación pintada</translation>
+    </message>
+    <message>
+        <source>Lock size</source>
+        <translation>Tamaño del mechón</translation>
+    </message>
+    <message>
+        <source>Distance of locks; at 0 each simulated hair has its own</source>
+        <translation>Distancia entre mechones; con 0 cada pelo simulado tiene el suyo</translation>
+    </message>
+    <message>
+        <source>Small locks</source>
+        <translation>Mechones pequeños</translation>
+    </message>
+    <message>
+        <source>How far each lock is made of small ones, a simulated hair each</source>
+        <translation>Hasta qué punto cada mechón se compone de otros pequeños, uno por pelo simulado</translation>
+    </message>
+    <message>
+        <source>Flat locks</source>
+        <translation>Mechones planos</translation>
+    </message>
+    <message>
+        <source>0 is round, 100 % a ribbon along the skin</source>
+        <translation>0 es redondo, 100 % una cinta sobre la piel</translation>
+    </message>
+    <message>
+        <source>Twisted locks</source>
+        <translation>Mechones torcidos</translation>
+    </message>
+    <message>
+        <source>How often a lock turns about itself</source>
+        <translation>Cuántas vueltas da un mechón sobre sí mismo</translation>
+    </message>
+    <message>
+        <source>Ragged edges</source>
+        <translation>Bordes irregulares</translation>
+    </message>
+    <message>
+        <source>How many hairs at the edge of a lock belong to the next</source>
+        <translation>Cuántos pelos del borde de un mechón pertenecen al siguiente</translation>
+    </message>
+    <message>
+        <source>Open tips</source>
+        <translation>Puntas abiertas</translation>
+    </message>
+    <message>
+        <source>How far hairs leave their lock near the tip</source>
+        <translation>Cuánto se separan los pelos de su mechón cerca de la punta</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Cuerpo</translation>
+    </message>
+    <message>
+        <source>How strongly hair keeps out of hair and moves along with it</source>
+        <translation>Con qué fuerza el pelo se aparta del pelo y se mueve con él</translation>
+    </message>
 </context>
 <context>
     <name>Guarded</name>
@@ -4149,6 +4285,30 @@ Se ha perdido esto:</translation>
     <message>
         <source>Variation</source>
         <translation>Variación</translation>
+    </message>
+    <message>
+        <source>Curl</source>
+        <translation>Rizo</translation>
+    </message>
+    <message>
+        <source>Locks</source>
+        <translation>Mechones</translation>
+    </message>
+    <message>
+        <source>Hair type</source>
+        <translation>Tipo de cabello</translation>
+    </message>
+    <message>
+        <source>From straight (1) by wavy (2) and curly (3) to coily (4): sets the numbers below</source>
+        <translation>De liso (1), ondulado (2) y rizado (3) a muy rizado (4): fija los valores de abajo</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Propio</translation>
+    </message>
+    <message>
+        <source>Hair type of &quot;%1&quot;</source>
+        <translation>Tipo de cabello de «%1»</translation>
     </message>
 </context>
 <context>

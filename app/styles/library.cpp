@@ -5,6 +5,7 @@
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "model/project/group_schema.h"
+#include "model/project/hair_types.h"
 #include "model/values/names.h"
 
 #include <QCoreApplication>
@@ -57,8 +58,10 @@ model::Project starterProject()
 model::Project baldProject()
 {
     model::Project project = model::newProject();
-    for (model::HairGroup& group : project.groups)
+    for (model::HairGroup& group : project.groups) {
         model::makeNatural(group.settings);
+        model::setHairType(group.settings, model::hairType("3B")); // Of what is painted on the curl map.
+    }
     return project;
 }
 

@@ -187,7 +187,7 @@ void CurveSet::evaluate(const Curve& curve, CurveScratch& scratch) const
     groom.blocks().read(positions(curve), groom.frameStrand(curve.slot), scratch.skeletonWo);
     const glm::vec3 tangentWo = m_frame->pose.rotation * sim::frameTangentHd(groom, curve.slot);
     sim::evaluateStrand(scratch.skeletonWo, tangentWo, groom.style(curve.slot), static_cast<int>(curve.segments),
-                        scratch.evenWo);
+                        scratch.evenWo, sim::coilsOf(groom.settings));
 }
 
 std::span<const glm::vec3> CurveSet::points(const Curve& curve, CurveScratch& scratch) const

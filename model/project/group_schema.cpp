@@ -11,12 +11,16 @@ namespace hairpaint::model {
 
 namespace {
 
+using sim::CurlSettings;
 using sim::GroupSettings;
+using sim::LockSettings;
 using sim::PhysicsSettings;
 using sim::StrandMaterial;
 using sim::VariationSettings;
 
 constexpr auto kShape = SettingSection::Shape;
+constexpr auto kCurl = SettingSection::Curl;
+constexpr auto kLocks = SettingSection::Locks;
 constexpr auto kChance = SettingSection::Variation;
 constexpr auto kBraid = SettingSection::Braid;
 constexpr auto kMotion = SettingSection::Physics;
@@ -28,7 +32,8 @@ constexpr double kBasisHairs = 4096.0;  ///< On the scalp, of a new group.
 constexpr double kMostBasisHairs = 1e6; ///< On the scalp.
 
 constexpr SettingChoice kTurnsModes[] = {{"per_hair", QT_TRANSLATE_NOOP("GroupSchema", "Turns per hair")},
-                                         {"per_length", QT_TRANSLATE_NOOP("GroupSchema", "Turns per length")}};
+                                         {"per_length", QT_TRANSLATE_NOOP("GroupSchema", "Turns per length")},
+                                         {"coils", QT_TRANSLATE_NOOP("GroupSchema", "Coils measured in mm")}};
 
 /// In each section the ones first that most people reach for.
 constexpr GroupSetting kSettings[] = {
@@ -53,9 +58,9 @@ constexpr GroupSetting kSettings[] = {
      .unit = "",
      .shownPerSi = 1.0,
      .least = 0.0,
-     .greatest = 1.0,
+     .greatest = 2.0,
      .sliderLeast = 0.0,
-     .sliderGreatest = 1.0,
+     .sliderGreatest = 2.0,
      .choices = kTurnsModes},
     {"turns_per_length_m", &GroupSettings::turnsPerLengthM, kShape, QT_TRANSLATE_NOOP("GroupSchema", "Turns are for"),
      QT_TRANSLATE_NOOP("GroupSchema", "The length that the turns of a curl are for"),
@@ -81,6 +86,57 @@ constexpr GroupSetting kSettings[] = {
      .sliderGreatest = kMostBasisHairs,
      .exponent = 4.0F,
      .countsOnScalp = true},
+    {"curl.diameter_m", &CurlSettings::diameterM, kCurl, QT_TRANSLATE_NOOP("GroupSchema", "Coil diameter"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Of a coil where no curl size is painted; an S is as wide"),
+     QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.2, 0.0, 80.0, 1, 2.0F},
+    {"curl.pitch_m", &CurlSettings::pitchM, kCurl, QT_TRANSLATE_NOOP("GroupSchema", "Coil pitch"),
+     QT_TRANSLATE_NOOP("GroupSchema", "From turn to turn along the hair where the curl map is brightest"),
+     QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0005, 1.0, 1.0, 400.0, 1, 2.5F},
+    {"curl.flatness", &CurlSettings::flatness, kCurl, QT_TRANSLATE_NOOP("GroupSchema", "Flatness"),
+     QT_TRANSLATE_NOOP("GroupSchema", "0 is a coil, 100 % a wave in the shape of an S"), "%", 100.0, 0.0, 1.0, 0.0,
+     100.0},
+    {"curl.in_step_from_m", &CurlSettings::inStepFromM, kCurl, QT_TRANSLATE_NOOP("GroupSchema", "In step from"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How far from the scalp the hairs of a lock curl together; before it each alone"),
+     QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.0, 1.0, 0.0, 100.0, 1, 3.0F},
+    {"curl.switchbacks_per_m", &CurlSettings::switchbacksPerM, kCurl, QT_TRANSLATE_NOOP("GroupSchema", "Switchbacks"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How often a coil turns the other way and leaves a kink"),
+     QT_TRANSLATE_NOOP("GroupSchema", "per 10 cm"), 0.1, 0.0, 200.0, 0.0, 20.0, 1, 2.0F},
+    {"curl.skips", &CurlSettings::skips, kCurl, QT_TRANSLATE_NOOP("GroupSchema", "Skipped turns"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How many turns single hairs leap over"), "%", 100.0, 0.0, 1.0, 0.0, 100.0, 0,
+     2.0F},
+    {"curl.uncoil", &CurlSettings::uncoil, kCurl, QT_TRANSLATE_NOOP("GroupSchema", "Drawn by weight"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How much looser long curls are at the root than on the whole"), "%", 100.0, 0.0,
+     0.8, 0.0, 80.0},
+    {.key = "curl.length_as_cut",
+     .member = &GroupSettings::lengthAsCut,
+     .section = kCurl,
+     .label = QT_TRANSLATE_NOOP("GroupSchema", "Curls shorten"),
+     .hint = QT_TRANSLATE_NOOP("GroupSchema", "Curls shorten hair: lengths are as cut"),
+     .unit = "",
+     .shownPerSi = 1.0,
+     .least = 0.0,
+     .greatest = 1.0,
+     .sliderLeast = 0.0,
+     .sliderGreatest = 1.0},
+    {"curl.gather", &CurlSettings::gather, kCurl, QT_TRANSLATE_NOOP("GroupSchema", "Curls gather"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How closely curled hair gathers in locks where no clump is painted"), "%", 100.0,
+     0.0, 1.0, 0.0, 100.0},
+    {"locks.size_m", &LockSettings::sizeM, kLocks, QT_TRANSLATE_NOOP("GroupSchema", "Lock size"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Distance of locks; at 0 each simulated hair has its own"),
+     QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.1, 0.0, 60.0, 1, 1.5F},
+    {"locks.small", &LockSettings::small, kLocks, QT_TRANSLATE_NOOP("GroupSchema", "Small locks"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How far each lock is made of small ones, a simulated hair each"), "%", 100.0,
+     0.0, 1.0, 0.0, 100.0},
+    {"locks.flatness", &LockSettings::flatness, kLocks, QT_TRANSLATE_NOOP("GroupSchema", "Flat locks"),
+     QT_TRANSLATE_NOOP("GroupSchema", "0 is round, 100 % a ribbon along the skin"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
+    {"locks.twists_per_m", &LockSettings::twistsPerM, kLocks, QT_TRANSLATE_NOOP("GroupSchema", "Twisted locks"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How often a lock turns about itself"),
+     QT_TRANSLATE_NOOP("GroupSchema", "per 10 cm"), 0.1, 0.0, 50.0, 0.0, 5.0, 1, 2.0F},
+    {"locks.ragged", &LockSettings::ragged, kLocks, QT_TRANSLATE_NOOP("GroupSchema", "Ragged edges"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How many hairs at the edge of a lock belong to the next"), "%", 100.0, 0.0, 1.0,
+     0.0, 100.0},
+    {"locks.parting", &LockSettings::parting, kLocks, QT_TRANSLATE_NOOP("GroupSchema", "Open tips"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How far hairs leave their lock near the tip"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
     {"variation.length", &VariationSettings::length, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Uneven lengths"),
      QT_TRANSLATE_NOOP("GroupSchema", "How much shorter than the map single hairs are"), "%", 100.0, 0.0, 1.0, 0.0,
      100.0, 0, 2.0F},
@@ -150,6 +206,16 @@ template<typename Settings, typename T>
 auto& memberOf(Settings& settings, T GroupSettings::*member)
 {
     return settings.*member;
+}
+template<typename Settings>
+auto& memberOf(Settings& settings, float CurlSettings::*member)
+{
+    return settings.curl.*member;
+}
+template<typename Settings>
+auto& memberOf(Settings& settings, float LockSettings::*member)
+{
+    return settings.locks.*member;
 }
 template<typename Settings>
 auto& memberOf(Settings& settings, float VariationSettings::*member)

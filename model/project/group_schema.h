@@ -14,6 +14,8 @@ namespace hairpaint::model {
 enum class SettingSection
 {
     Shape,
+    Curl,
+    Locks,
     Variation,
     Braid,
     Physics,

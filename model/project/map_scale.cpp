@@ -18,6 +18,7 @@ using sim::GroupSettings;
 
 constexpr double kPerSquareCm = 1e-4;
 constexpr double kShortGroupM = 0.03; ///< Groups with shorter hair are measured in mm.
+constexpr double kCoilsPerM = 0.1;    ///< The length that turns of coils are counted over.
 constexpr double kSparse = 20.0;      ///< Hairs a square centimetre, of which tenths count.
 
 constexpr std::array kTurnSteps{0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
@@ -40,7 +41,10 @@ double greatestDensity(const GroupSettings& settings)
 
 double greatestRadiusMm(const GroupSettings& settings)
 {
-    return static_cast<double>(settings.greatestCurlRadiusM) * 1000.0;
+    // The map's default, its middle, is half a coil's diameter.
+    return static_cast<double>(settings.turnsMode == sim::TurnsMode::Coils ? settings.curl.diameterM
+                                                                           : settings.greatestCurlRadiusM) *
+           1000.0;
 }
 
 double lengthScale(const GroupSettings& settings)
@@ -52,12 +56,16 @@ QString turnsUnit(const GroupSettings& settings)
 {
     if (settings.turnsMode == sim::TurnsMode::PerHair)
         return Units::tr("turns");
+    if (settings.turnsMode == sim::TurnsMode::Coils)
+        return Units::tr("turns per %1 cm").arg(QLocale().toString(kCoilsPerM * 100.0, 'g', 3));
     return Units::tr("turns per %1 cm")
         .arg(QLocale().toString(static_cast<double>(settings.turnsPerLengthM) * 100.0, 'g', 3));
 }
 
-double turnsAt(const GroupSettings&, double red)
+double turnsAt(const GroupSettings& settings, double red)
 {
+    if (settings.turnsMode == sim::TurnsMode::Coils)
+        return red * kCoilsPerM / static_cast<double>(settings.curl.pitchM);
     return static_cast<double>(sim::turnsOfCurl(static_cast<float>(red), false));
 }
 

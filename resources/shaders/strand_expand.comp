@@ -14,6 +14,9 @@ const uint kLoc = 3u;
 uniform uint firstStrand;
 uniform uint strandCount;
 uniform int nodes;
+uniform int isCoiled; // Curls by sim::CurlSettings, else by equation 1.
+uniform vec4 coil;    // Its inStepFromM, switchbacksPerM, skips, flatness,
+uniform float uncoil; // and uncoil.
 
 vec3 node(uint slot, int k)
 {
@@ -40,6 +43,7 @@ vec3 unpackDirection(uint bits)
 #define clamped clamp
 #define mixed mix
 #define root sqrt
+#define floored floor
 #define sinOf sin
 #define cosOf cos
 #define vec3Of vec3
@@ -164,7 +168,12 @@ void main()
             vec3 offset = braidedOffsetAt(slot, braidFraction(s, braidStart), metres) * min(gathered, 1.0);
             point += first * offset.x + tangent * offset.y + cross(first, tangent) * offset.z;
         } else if (isCurled) {
-            vec3 offset = curlOffset(phase + 2.0 * kPi * turns * s) * curlRadius(radius, s);
+            vec3 offset;
+            if (isCoiled != 0)
+                offset = coilOffset(CoiledHair(turns, radius, phase, styles[slot].variation, styles[slot].braidRadiusM),
+                                    CoilTraits(coil.x, coil.y, coil.z, coil.w, uncoil), s);
+            else
+                offset = curlOffset(phase + 2.0 * kPi * turns * s) * curlRadius(radius, s);
             point += reference * offset.x + cross(tangent, reference) * offset.y + tangent * offset.z;
         }
         pointsWo[first + uint(j)] = vec4(point, uintBitsToFloat(strand));

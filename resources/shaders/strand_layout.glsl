@@ -20,7 +20,7 @@ struct PackedStyle
     uint tipColour;
     float width;
     uint braid; // sim::BraidKind; bits 8 and 9 the wisp.
-    float braidRadiusM;
+    float braidRadiusM; // Of a hair that is not braided: its length.
     float braidStart;
     float braidTurns;
     float wispOffsetX;

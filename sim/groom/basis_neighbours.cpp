@@ -282,4 +282,35 @@ void findBasisNeighbours(RootSet& roots)
     });
 }
 
+std::vector<std::uint32_t> nearestLeaders(const RootSet& roots, std::size_t leaderCount)
+{
+    std::vector<std::uint32_t> leaders;
+    for (std::uint32_t i = 0; i < roots.basisSlot.size(); ++i)
+        if (roots.rankOfSlot[roots.basisSlot[i]] < leaderCount)
+            leaders.push_back(i);
+    const float spacingM = std::sqrt(static_cast<float>(roots.skin->areaM2()) / static_cast<float>(leaders.size()));
+    const float normalScaleM = kNormalSpacings * spacingM;
+    std::vector<SearchPoint> points;
+    points.reserve(leaders.size());
+    for (const std::uint32_t leader : leaders)
+        points.push_back(searchPointOf(roots, roots.basisSlot[leader], normalScaleM));
+    const BasisSearch search(points);
+    std::vector<std::uint32_t> nearestOf(roots.basisSlot.size());
+    parallelFor(nearestOf.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        std::array<SearchPoint, kRun> run{};
+        std::array<Nearest, kRun> nearest{};
+        for (std::size_t first = begin; first < end; first += kRun) {
+            const std::size_t count = std::min(kRun, end - first);
+            for (std::size_t i = 0; i < count; ++i)
+                run[i] = searchPointOf(roots, roots.basisSlot[first + i], normalScaleM);
+            search.find(std::span(run).first(count), nearest);
+            for (std::size_t i = 0; i < count; ++i)
+                nearestOf[first + i] = leaders[nearest[i].basis[0]];
+        }
+    });
+    for (const std::uint32_t leader : leaders) // Also where two stand on one spot.
+        nearestOf[leader] = leader;
+    return nearestOf;
+}
+
 } // namespace hairpaint::sim

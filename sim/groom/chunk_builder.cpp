@@ -45,8 +45,10 @@ public:
             if (centre != kNoCentre)
                 return braid(slot, style, chance, centre);
         }
-        m_lay.add(layRootOf(m_inputs.settings, roots, slot, chance), style.lengthM);
-        m_laid[m_waiting++] = {.slot = slot, .style = style, .own = own};
+        m_lay.add(layRootOf(m_inputs.settings, roots, slot, chance,
+                            liftOf(m_inputs.settings, style.curlRadiusM, style.lengthM)),
+                  style.lengthM);
+        m_laid[m_waiting++] = {.slot = slot, .style = style, .own = own, .gathered = gatheredBy(values.curl)};
         if (m_lay.isFull())
             finish();
     }
@@ -58,27 +60,39 @@ public:
         const RootSet& roots = m_inputs.roots;
         const VariationSettings& variation = m_inputs.settings.variation;
         const std::span<float> nodesHd = m_lay.nodesHd();
+        const LockSettings& locks = m_inputs.settings.locks;
         m_clump.nodes = m_inputs.settings.nodesPerHair;
-        bool anyClumps = false;
-        for (std::size_t i = 0; i < m_waiting; ++i) {
+        m_clump.nodesHd = nodesHd.data();
+        m_clump.basisHd = m_basisHd.data();
+        for (std::size_t i = 0; i < m_waiting; ++i)
             m_passed.put(m_laid[i].slot, m_lay.passed(i));
+        if (locks.small > 0.0F && !m_inputs.locks.isOfBasis()) {
+            bool any = false;
+            for (std::size_t i = 0; i < m_waiting; ++i)
+                any |= findSmallLock(i);
+            m_clump.locks = {};
+            if (any)
+                clumpLanes(m_clump);
+            m_clump.clump.fill(0.0F);
+        }
+        bool anyClumps = false;
+        for (std::size_t i = 0; i < m_waiting; ++i)
             anyClumps |= findLock(i);
-        }
-        if (anyClumps) {
-            m_clump.nodesHd = nodesHd.data();
-            m_clump.basisHd = m_basisHd.data();
+        m_clump.locks = locks;
+        if (anyClumps)
             clumpLanes(m_clump);
-        }
         for (std::size_t i = 0; i < m_waiting; ++i) {
             Laid& hair = m_laid[i];
             const float clump = m_clump.clump[i];
             // Hairs that lie together curl together: a ringlet is one curl of many hairs.
-            hair.style.phase += (hair.basisPhase - hair.style.phase) * clump;
-            varyCurl(clump > kKeepsStep ? variationOf(variation, roots.seed, hair.basisRank) : hair.own, hair.style);
+            hair.style.phase += (hair.basisPhase - hair.style.phase) * (hair.isInStep ? 1.0F : clump);
+            varyCurl(hair.isInStep || clump > kKeepsStep ? variationOf(variation, roots.seed, hair.basisRank)
+                                                         : hair.own,
+                     hair.style);
             if (hair.own.isTurned())
                 turnLane(hair.own, clump, roots.frame(hair.slot), hair.style.lengthM, m_clump.nodes,
                          nodesHd.data() + i);
-            store(hair.slot, hair.style, {.clump = clump}, nodesHd.data() + i);
+            store(hair.slot, hair.style, {.clump = clump, .leader = hair.leader}, nodesHd.data() + i);
         }
         m_clump.clump.fill(0.0F);
         m_lay.clear();
@@ -109,6 +123,9 @@ private:
         std::uint32_t slot = 0;
         StrandStyle style;
         HairVariation own;
+        float gathered = 0.0F;       ///< Clump that its curl gives it.
+        std::uint32_t leader = 0;    ///< Of its lock: a basis hair.
+        bool isInStep = false;       ///< Its curl is its lock's, however far it clumps.
         float basisPhase = 0.0F;     ///< Of what it clumps to.
         std::uint32_t basisRank = 0; ///< The same.
     };
@@ -117,6 +134,7 @@ private:
     {
         float clump = 0.0F;
         std::uint32_t centre = kNoCentre;
+        std::uint32_t leader = 0;
     };
 
     void braid(std::uint32_t slot, StrandStyle style, const RootChance& chance, std::uint32_t centre)
@@ -129,29 +147,65 @@ private:
                                        std::span(m_buffer).first(m_nodes));
         applyBraid(m_inputs.settings, kind, chance, scalpM, centreLengthM, style);
         m_passed.put(slot, {});
-        store(slot, style, {.centre = centre});
+        store(slot, style, {.centre = centre, .leader = roots.neighbours[slot][0]});
     }
 
-    /// Prepares a laid hair's being drawn to its lock; whether it is drawn.
+    [[nodiscard]] float gatheredBy(float curl) const
+    {
+        constexpr float kCurled = 0.2F; ///< Of the curl map: from there on as the group says.
+        return m_inputs.settings.curl.gather * std::min(curl / kCurled, 1.0F);
+    }
+
+    /// Prepares a laid hair's being drawn to a basis hair.
+    void drawTo(std::size_t hair, std::uint32_t basisIndex, float clump)
+    {
+        m_clump.clump[hair] = clump;
+        m_clump.segmentM[hair] = m_laid[hair].style.lengthM / static_cast<float>(m_nodes - 1);
+        m_clump.basisSegmentM[hair] = m_inputs.basis[BasisQuantity::SegmentLength][basisIndex];
+        if (m_inputs.settings.locks.flatness > 0.0F) {
+            const glm::vec3 normal = m_inputs.roots.normalHd[m_inputs.roots.basisSlot[basisIndex]];
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                m_clump.leaderNormal.at(axis)[hair] = normal[static_cast<int>(axis)];
+        }
+        const float* from = m_inputs.basis.restPositions.data() + m_blocks.index(basisIndex, 0);
+        for (std::size_t row = 0; row < m_nodes * 3; ++row)
+            m_basisHd[row * kLanes + hair] = from[row * kLanes];
+    }
+
+    /// To the lock that is part of its lock; whether it is drawn to any.
+    bool findSmallLock(std::size_t hair)
+    {
+        const RootSet& roots = m_inputs.roots;
+        const std::uint32_t slot = m_laid[hair].slot;
+        const std::uint32_t nearest = roots.neighbours[slot][0];
+        if (roots.basisSlot[nearest] == slot || m_laid[hair].own.isFlyaway)
+            return false;
+        drawTo(hair, nearest, m_inputs.settings.locks.small);
+        return true;
+    }
+
+    /// To its lock; whether it is drawn to any.
     bool findLock(std::size_t hair)
     {
         const RootSet& roots = m_inputs.roots;
         const std::uint32_t slot = m_laid[hair].slot;
-        const std::uint32_t basisIndex = roots.neighbours[slot][0];
-        const std::uint32_t basis = roots.basisSlot[basisIndex];
-        const float clump =
-            basis == slot || m_laid[hair].own.isFlyaway ? 0.0F : m_inputs.maps[MapSlot::Clump].scalar(roots.uv[slot]);
-        if (clump <= 0.0F)
+        const std::uint32_t leader = m_inputs.locks.leaderOf(roots, slot, m_inputs.settings.locks.ragged);
+        const std::uint32_t leaderSlot = roots.basisSlot[leader];
+        m_laid[hair].leader = leader;
+        if (leaderSlot == slot || m_laid[hair].own.isFlyaway)
             return false;
-        m_clump.clump[hair] = clump;
-        m_clump.segmentM[hair] = m_laid[hair].style.lengthM / static_cast<float>(m_nodes - 1);
-        m_clump.basisSegmentM[hair] = m_inputs.basis[BasisQuantity::SegmentLength][basisIndex];
-        m_laid[hair].basisRank = roots.rankOfSlot[basis];
-        m_laid[hair].basisPhase = chanceOf(roots.seed, roots.rankOfSlot[basis]).phase;
-        const float* from = m_inputs.basis.restPositions.data() + m_blocks.index(basisIndex, 0);
-        for (std::size_t row = 0; row < m_nodes * 3; ++row)
-            m_basisHd[row * kLanes + hair] = from[row * kLanes];
-        return true;
+        float clump = m_inputs.maps[MapSlot::Clump].scalar(roots.uv[slot]);
+        const float gathered = m_laid[hair].gathered;
+        if (gathered > 0.0F)
+            clump = 1.0F - (1.0F - clump) * (1.0F - gathered);
+        m_laid[hair].isInStep = m_inputs.settings.turnsMode == TurnsMode::Coils && m_laid[hair].style.turns > 0.0F;
+        if (clump <= 0.0F && !m_laid[hair].isInStep)
+            return false;
+        m_laid[hair].basisRank = roots.rankOfSlot[leaderSlot];
+        m_laid[hair].basisPhase = chanceOf(roots.seed, roots.rankOfSlot[leaderSlot]).phase;
+        if (clump > 0.0F)
+            drawTo(hair, leader, clump);
+        return clump > 0.0F;
     }
 
     /// `nodesHd`: a lane of [nodes][3][kLanes]; null for the buffer's.
@@ -163,6 +217,8 @@ private:
         m_chunk.styles[local] = style;
         m_chunk.clump[local] = followed.clump;
         m_chunk.braidCentre[local] = followed.centre;
+        if (!m_inputs.locks.isOfBasis())
+            m_chunk.lockLeader[local] = followed.leader;
         m_chunk.segmentLengths[local] = style.lengthM / static_cast<float>(m_nodes - 1);
         if (nodesHd == nullptr) {
             m_blocks.write(m_chunk.restPositions, local, std::span(m_buffer).first(m_nodes));
@@ -187,7 +243,7 @@ private:
     std::array<float, std::size_t{kMostNodes} * StrandBlocks::kNodeStride> m_basisHd{};
 };
 
-std::shared_ptr<StrandChunk> emptyChunk(int nodes)
+std::shared_ptr<StrandChunk> emptyChunk(int nodes, bool hasLocks)
 {
     auto chunk = std::make_shared<StrandChunk>();
     chunk->styles.resize(kChunkSlots);
@@ -195,6 +251,8 @@ std::shared_ptr<StrandChunk> emptyChunk(int nodes)
     chunk->restPositions.resize(StrandBlocks(nodes).floatsFor(kBlocksPerChunk));
     chunk->segmentLengths.resize(kChunkSlots);
     chunk->braidCentre.assign(kChunkSlots, kNoCentre);
+    if (hasLocks)
+        chunk->lockLeader.assign(kChunkSlots, 0);
     return chunk;
 }
 
@@ -244,7 +302,8 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
     }
 
     const std::shared_ptr<StrandChunk> chunk =
-        kept.any() ? std::make_shared<StrandChunk>(*before) : emptyChunk(inputs.settings.nodesPerHair);
+        kept.any() ? std::make_shared<StrandChunk>(*before)
+                   : emptyChunk(inputs.settings.nodesPerHair, !inputs.locks.isOfBasis());
     ChunkWriter writer(inputs, chunkIndex, *chunk, passed);
     dirty.look.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
         if (chunk->hairs[slot - firstSlot] && !dirty.hairs.contains(slot))

@@ -4,6 +4,7 @@
 #include "sim/groom/braid_layout.h"
 #include "sim/groom/groom.h"
 #include "sim/groom/lay.h"
+#include "sim/groom/lock_partition.h"
 #include "sim/groom/map_changes.h"
 #include "sim/groom/map_sampler.h"
 #include "sim/groom/passed_cells.h"
@@ -25,6 +26,7 @@ struct ChunkInputs
     const BraidLayout& braids;
     std::span<const std::uint8_t> kinds; ///< [slots]
     std::span<const float> basisLengthM; ///< [basis hairs]
+    const LockPartition& locks;
 };
 
 /// The chunk with the hairs of `dirty` evaluated anew and those of its look coloured anew: `before` itself where none

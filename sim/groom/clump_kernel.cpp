@@ -24,6 +24,38 @@ HWY_INLINE Lanes3 between(const Lanes3& a, const Lanes3& b, Lanes t)
     return a + (b - a) * t;
 }
 
+/// What a lock does with its hairs' distances from the basis hair, beside drawing them to it.
+struct LockShape
+{
+    bool isPlain = true; ///< Round, straight, closed to the tip.
+    float flatness = 0.0F;
+    float twistRadPerM = 0.0F;
+    float parting = 0.0F;
+    Lanes3 normal{0.0F, 0.0F, 0.0F};
+    Lanes3 axis{0.0F, 0.0F, 0.0F};
+
+    /// A node at `alongM` of hairs drawn to `beside` by the fraction `drawn` of their distance `own` - `beside`.
+    [[nodiscard]] HWY_INLINE Lanes3 placed(const Lanes3& own, const Lanes3& toBasis, Lanes drawn, Lanes alongM) const
+    {
+        const Lanes3 beside = own + toBasis;
+        Lanes3 kept = toBasis * (drawn - 1.0F);
+        kept = kept - normal * (dot(kept, normal) * (drawn * flatness));
+        const Lanes angle = alongM * drawn * twistRadPerM;
+        const Lanes3 across = kept - axis * dot(kept, axis);
+        const Lanes sine = sinOf(angle);
+        const Lanes cosine = cosOf(angle);
+        return beside + (kept - across) + across * cosine + cross(axis, across) * sine;
+    }
+};
+
+/// How far hairs have left their lock at a fraction s, 0..1.
+HWY_INLINE float partedAt(float s)
+{
+    constexpr float kFrom = 2.0F / 3.0F;
+    const float t = s > kFrom ? (s - kFrom) * (1.0F / (1.0F - kFrom)) : 0.0F;
+    return t * t;
+}
+
 /// Lanes from `lane` on.
 HWY_INLINE void clumpFrom(ClumpTask& task, std::size_t lane)
 {
@@ -46,6 +78,16 @@ HWY_INLINE void clumpFrom(ClumpTask& task, std::size_t lane)
                                                     basisTip - loaded3(basis)));
     stored(clump, task.clump.data() + lane);
     const Ints laneNumbers = hn::Iota(di, 0);
+
+    LockShape shape{.flatness = task.locks.flatness,
+                    .twistRadPerM = task.locks.twistsPerM * 6.2831853F,
+                    .parting = task.locks.parting};
+    shape.isPlain = shape.flatness == 0.0F && shape.twistRadPerM == 0.0F && shape.parting == 0.0F;
+    if (!shape.isPlain) {
+        const Lanes3 reach = basisTip - loaded3(basis);
+        shape.axis = reach * (1.0F / root(most(dot(reach, reach), 1e-12F)));
+        shape.normal = Lanes3{row(task.leaderNormal[0]), row(task.leaderNormal[1]), row(task.leaderNormal[2])};
+    }
 
     Lanes3 parent = rootHd;
     Lanes3 parentBefore = rootHd;
@@ -71,7 +113,10 @@ HWY_INLINE void clumpFrom(ClumpTask& task, std::size_t lane)
         toBasis = select(ends, basisTip - between(parentBefore, own, back), toBasis);
         toBasis = select(reaches, beside - own, toBasis);
         const float s = static_cast<float>(i) / static_cast<float>(last);
-        const Lanes3 drawn = own + toBasis * (clump * (s * (2.0F - s)));
+        Lanes3 drawn = own + toBasis * (clump * (s * (2.0F - s)));
+        if (!shape.isPlain)
+            drawn = shape.placed(own, toBasis, clump * (s * (2.0F - s) * (1.0F - shape.parting * partedAt(s))),
+                                 segment * static_cast<float>(i));
         // Should a node fall on its parent, it goes where it was headed.
         const Lanes3 headed = own - parentBefore;
         parentBefore = own;

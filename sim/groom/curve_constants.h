@@ -6,6 +6,21 @@ namespace hairpaint::sim {
 
 /// Fraction of the strand, from the root, over which the curl's radius grows from 0.
 inline constexpr float kCurlEaseFraction = 0.25F;
+/// A coil in real units grows over so much of the hair, or a quarter of a turn if that is more.
+inline constexpr float kCoilEaseM = 0.01F;
+/// From this length on, weight uncoils a hair as far as its group says; shorter ones in proportion.
+inline constexpr float kUncoiledM = 0.25F;
+/// How much farther out a hair runs, in radii, in the middle of a turn that it leaps over.
+inline constexpr float kSkipLeap = 0.5F;
+inline constexpr float kFullTurn = 6.2831853F;
+/// Factors that make numbers of their own of a hair's chance and of a lock's phase; the third is the golden section,
+/// which spreads the turns that are leapt over evenly.
+inline constexpr float kOwnPhaseFactor = 61.7F;
+inline constexpr float kOwnSkipFactor = 37.3F;
+inline constexpr float kGoldenSection = 0.618034F;
+inline constexpr float kHandFactor = 5.77F;
+inline constexpr float kSwitchFactor = 2.39F;
+
 /// Part of a turn of the braid over which its wisps part where it begins, and the fraction of r that they begin with:
 /// they come to it over the span before, since so many hairs never pass through one point.
 inline constexpr float kBraidEaseTurns = 0.5F;

@@ -5,7 +5,7 @@
 //
 // Whoever includes it has defined the types Num, Vec3 and Flag (yes or no), CURVE_FUNCTION before each function, the
 // numbers of curve_constants.h, and the arithmetic: vec3Of, dot, select, everywhere (whether a Flag is yes for all),
-// least, most, clamped, mixed, root, sinOf, cosOf, over (a number by a constant), unitOf (a vector and its squared
+// least, most, clamped, mixed, root, floored, sinOf, cosOf, over (a number by a constant), unitOf (a vector and its squared
 // length) and reflectedIn (a vector, in the plane across another of that squared length). They round as each always
 // did: pictures and exported files keep their bytes. What each has of its own is how it steps along the strand and how
 // it adds the offsets.
@@ -89,6 +89,67 @@ CURVE_FUNCTION Vec3 curlOffset(Num t)
 CURVE_FUNCTION Num curlRadius(Num radiusM, Num s)
 {
     return radiusM * least(Num(1.0F), over(s, kCurlEaseFraction));
+}
+
+// A hair of a group whose curls are measured in metres (sim::CurlSettings): a helix, or where flat an S along the
+// frame's first axis.
+struct CoiledHair
+{
+    Num turns;
+    Num radiusM;
+    Num phase;  // Of its lock, rad: from it follow the lock's hand and where its switchbacks lie.
+    Num chance; // -1..1, the hair's own: its phase out of step, and which turns it leaps over.
+    Num lengthM;
+};
+
+// What tells coily hair from a spring (Darke and Kim 2024): the same for a group.
+struct CoilTraits
+{
+    Num inStepFromM;
+    Num switchbacksPerM;
+    Num skips;
+    Num flatness;
+    Num uncoil;
+};
+
+CURVE_FUNCTION Num partOf(Num x)
+{
+    return x - floored(x);
+}
+
+// From the strand's axis: along the frame's first axis and the second.
+CURVE_FUNCTION Vec3 coilOffset(CoiledHair hair, CoilTraits traits, Num s)
+{
+    Num alongM = hair.lengthM * s;
+    // Weight draws the turns near the root apart; there are as many in all.
+    Num uncoil = traits.uncoil * least(Num(1.0F), hair.lengthM * (1.0F / kUncoiledM));
+    Num tightness = 1.0F - uncoil + uncoil * s * 2.0F;
+    Num run = hair.turns * s * (1.0F - uncoil + uncoil * s);
+    Num turn = floored(run);
+    // Leaps over a turn, and is in step again after it.
+    Num part = run - turn;
+    Num leap = select(partOf(hair.chance * kOwnSkipFactor + turn * kGoldenSection) < traits.skips, Num(1.0F), Num(0.0F));
+    // All turns begin at one angle, so that another hand leaves a kink and no gap.
+    Num switched = floored(partOf(hair.phase * kSwitchFactor) +
+                           turn * traits.switchbacksPerM * hair.lengthM / most(hair.turns, Num(1e-3F)));
+    Num hands = switched * 0.5F + select(partOf(hair.phase * kHandFactor) < 0.5F, Num(0.0F), Num(0.5F));
+    Num hand = 1.0F - partOf(hands) * 4.0F; // 1 or -1
+    // Out of step at the scalp, in step from the middle of that distance to its end on.
+    Num astray = clamped((traits.inStepFromM - alongM) * 2.0F / most(traits.inStepFromM, Num(1e-6F)), 0.0F, 1.0F);
+    Num own = partOf(hair.chance * kOwnPhaseFactor + 0.5F) - 0.5F;
+    Num angle = hair.phase + (hand * part * (1.0F - leap) + own * astray) * kFullTurn;
+    // The fibre of a turn keeps its length: where turns are drawn apart, they are narrow.
+    Num winding = hair.radiusM * hair.turns * kFullTurn / most(hair.lengthM, Num(1e-4F));
+    Num open = 1.0F / most(winding * winding, Num(0.01F));
+    Num apart = 1.0F / most(tightness, Num(0.05F));
+    Num narrow = root(clamped(1.0F + open - open * apart * apart, 0.0F, 2.25F));
+    Num easeM = most(least(most(Num(kCoilEaseM), hair.lengthM * 0.25F / most(hair.turns, Num(1e-3F))),
+                           hair.lengthM * kCurlEaseFraction),
+                     Num(1e-6F));
+    Num eased = least(Num(1.0F), alongM / easeM);
+    Num radiusM = hair.radiusM * narrow * eased * eased * (3.0F - eased * 2.0F) *
+                  (1.0F + leap * part * (1.0F - part) * (4.0F * kSkipLeap));
+    return vec3Of(cosOf(angle) * radiusM, sinOf(angle) * radiusM * (1.0F - traits.flatness), Num(0.0F));
 }
 
 // A hair of a braid: a plait of three wisps, a twist of two, or a loc, which is one.

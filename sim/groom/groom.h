@@ -58,6 +58,8 @@ struct StrandChunk
         clump; ///< [kChunkSlots], 0..1: how far each hair lies on its nearest basis hair, and follows it.
     /// For braided hairs: index into basis hairs of the braid's centre, else kNoCentre.
     std::vector<std::uint32_t> braidCentre; ///< [kChunkSlots]
+    /// [kChunkSlots] the basis hair that leads each hair's lock; empty where that is the nearest one.
+    std::vector<std::uint32_t> lockLeader;
     /// The least StrandStyle::detail in a block: at a coarser level of detail nothing of it is drawn.
     std::array<float, kBlocksPerChunk> leastDetail{};
 };

@@ -99,7 +99,7 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
             [&](std::uint32_t slot) { dirty.basis.insert(roots->basisSlot[roots->neighbours[slot][0]]); });
         updateBasis(settings, maps, lay, dirty.basis);
         updateBraids(settings, dirty.hairs);
-        updateClumped(maps[MapSlot::Clump], dirty.hairs);
+        updateClumped(settings, maps[MapSlot::Clump], dirty.hairs);
         rebuildChunks(settings, maps, lay, dirty, *groom, result.rebuilt);
         updateWanted(*groom);
     }
@@ -136,6 +136,11 @@ void GroupBuilder::findRelaid(const LayField::Difference& difference, ChangedSlo
 
 void GroupBuilder::startOver(const GroomInput::Group& input, const std::shared_ptr<const RootSet>& roots)
 {
+    const float lockSizeM = input.settings.locks.sizeM;
+    if (roots != m_roots || lockSizeM != m_lockSizeM) {
+        m_locks = LockPartition(*roots, lockSizeM);
+        m_lockSizeM = lockSizeM;
+    }
     if (roots != m_roots) {
         m_roots = roots;
         // Counted, summed up, filled in.
@@ -231,20 +236,25 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
             const std::uint32_t slot = roots.basisSlot[i];
             if (!dirty.contains(slot))
                 continue;
-            const float lengthM = std::max(basisLengthOf(i, settings, maps[MapSlot::Length]), kShortestBasisM);
-            basis[BasisQuantity::Gel][i] = maps[MapSlot::Gel].scalar(roots.uv[slot]);
             const float curl = m_kinds[slot] == 0 ? maps[MapSlot::Curl].scalar(roots.uv[slot]) : 0.0F;
-            basis[BasisQuantity::Give][i] =
-                curl > 0.0F
-                    ? giveOf(coilOf(settings, curl, maps[MapSlot::CurlSize].scalar(roots.uv[slot]), lengthM), lengthM)
-                    : 0.0F;
+            const float shortened = settings.lengthAsCut && curl > 0.0F
+                                        ? seenOverCut(settings, curl, maps[MapSlot::CurlSize].scalar(roots.uv[slot]))
+                                        : 1.0F;
+            const float lengthM =
+                std::max(basisLengthOf(i, settings, maps[MapSlot::Length]) * shortened, kShortestBasisM);
+            basis[BasisQuantity::Gel][i] = maps[MapSlot::Gel].scalar(roots.uv[slot]);
+            const Coil coil =
+                curl > 0.0F ? coilOf(settings, curl, maps[MapSlot::CurlSize].scalar(roots.uv[slot]), lengthM) : Coil{};
+            basis[BasisQuantity::Give][i] = curl > 0.0F ? giveOf(coil, lengthM) : 0.0F;
             basis[BasisQuantity::Girth][i] = braidGirthM(settings, static_cast<BraidKind>(m_kinds[slot]), lengthM);
             if (lengthM != m_basisLengthM[i]) {
                 m_basisLengthM[i] = lengthM;
                 m_basisChanged[i] = 1;
             }
             basis[BasisQuantity::SegmentLength][i] = lengthM / static_cast<float>(nodeCount - 1);
-            batch.add(layRootOf(settings, roots, slot, chanceOf(roots.seed, roots.rankOfSlot[slot])), lengthM);
+            batch.add(layRootOf(settings, roots, slot, chanceOf(roots.seed, roots.rankOfSlot[slot]),
+                                liftOf(settings, coil.radiusM, lengthM)),
+                      lengthM);
             added.push_back(i);
             if (batch.isFull())
                 store();
@@ -282,10 +292,12 @@ void GroupBuilder::updateBraids(const GroupSettings& settings, SlotSet& dirty)
     m_kindOfBasis = std::move(kindOfBasis);
 }
 
-void GroupBuilder::updateClumped(const MapSampler& clump, SlotSet& dirty) const
+void GroupBuilder::updateClumped(const GroupSettings& settings, const MapSampler& clump, SlotSet& dirty) const
 {
     if (!m_groom)
         return;
+    if (!m_locks.isOfBasis())
+        return updateLocks(settings, clump, dirty);
     const RootSet& roots = *m_roots;
     for (std::size_t basis = 0; basis < m_basisRelaid.size(); ++basis) {
         if (m_basisRelaid[basis] == 0)
@@ -294,10 +306,34 @@ void GroupBuilder::updateClumped(const MapSampler& clump, SlotSet& dirty) const
             const std::uint32_t slot = m_led[i];
             const StrandChunk* chunk = m_groom->chunks[chunkOf(slot)].get();
             if (chunk != nullptr && chunk->hairs[inChunk(slot)] && !dirty.contains(slot) &&
-                roots.basisSlot[basis] != slot && clump.scalar(roots.uv[slot]) > 0.0F)
+                roots.basisSlot[basis] != slot && (settings.curl.gather > 0.0F || clump.scalar(roots.uv[slot]) > 0.0F))
                 dirty.insert(slot);
         }
     }
+}
+
+void GroupBuilder::updateLocks(const GroupSettings& settings, const MapSampler& clump, SlotSet& dirty) const
+{
+    if (std::ranges::find(m_basisRelaid, std::uint8_t{1}) == m_basisRelaid.end())
+        return;
+    const RootSet& roots = *m_roots;
+    parallelFor(m_groom->chunks.size(), 4, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t index = begin; index < end; ++index) {
+            const StrandChunk* chunk = m_groom->chunks[index].get();
+            if (chunk == nullptr)
+                continue;
+            const std::size_t firstSlot = index * kChunkSlots;
+            for (std::size_t local = 0; local < std::min<std::size_t>(kChunkSlots, roots.count() - firstSlot);
+                 ++local) {
+                const auto slot = static_cast<std::uint32_t>(firstSlot + local);
+                const bool isRelaid = m_basisRelaid[chunk->lockLeader[local]] != 0 ||
+                                      (settings.locks.small > 0.0F && m_basisRelaid[roots.neighbours[slot][0]] != 0);
+                if (isRelaid && chunk->hairs[local] && !dirty.contains(slot) &&
+                    (settings.curl.gather > 0.0F || settings.locks.small > 0.0F || clump.scalar(roots.uv[slot]) > 0.0F))
+                    dirty.insert(slot);
+            }
+        }
+    });
 }
 
 void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const LayInputs& lay,
@@ -307,8 +343,8 @@ void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSampler
     for (std::size_t chunk = 0; chunk < dirty.hairs.chunkCount(); ++chunk)
         if (!dirty.hairs.chunkEmpty(chunk) || !dirty.look.chunkEmpty(chunk))
             stale.push_back(chunk);
-    const ChunkInputs inputs{settings, *m_roots, maps,          lay, m_newBasis ? *m_newBasis : *m_basis,
-                             m_braids, m_kinds,  m_basisLengthM};
+    const ChunkInputs inputs{settings, *m_roots, maps,           lay,    m_newBasis ? *m_newBasis : *m_basis,
+                             m_braids, m_kinds,  m_basisLengthM, m_locks};
     const std::vector<std::shared_ptr<const StrandChunk>> before = groom.chunks;
     parallelFor(stale.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
@@ -321,7 +357,8 @@ void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSampler
         if (was == is)
             continue;
         // Most often they follow whom they followed.
-        if (was == nullptr || is == nullptr || was->drawn != is->drawn || was->braidCentre != is->braidCentre) {
+        if (was == nullptr || is == nullptr || was->drawn != is->drawn || was->braidCentre != is->braidCentre ||
+            was->lockLeader != is->lockLeader) {
             // Subtracting modulo 2^32: one of -1 takes a dependent away.
             countDependents(was, i, rebuilt, ~0U);
             countDependents(is, i, rebuilt, 1U);
@@ -348,6 +385,8 @@ void GroupBuilder::countDependents(const StrandChunk* chunk, std::size_t chunkIn
             m_drawnDependents[chunk->braidCentre[local]] += one;
             return;
         }
+        if (!chunk->lockLeader.empty())
+            m_drawnDependents[chunk->lockLeader[local]] += one;
         for (std::size_t k = 0; k < RootSet::kNeighbours; ++k)
             if (m_roots->weights[slot][k] > 0.0F)
                 m_drawnDependents[m_roots->neighbours[slot][k]] += one;

@@ -4,6 +4,7 @@
 #include "sim/groom/braid_layout.h"
 #include "sim/groom/groom.h"
 #include "sim/groom/lay.h"
+#include "sim/groom/lock_partition.h"
 #include "sim/groom/map_changes.h"
 #include "sim/groom/map_sampler.h"
 #include "sim/groom/passed_cells.h"
@@ -48,7 +49,9 @@ private:
                      const SlotSet& dirty);
     void updateBraids(const GroupSettings& settings, SlotSet& dirty);
     /// Adds the hairs that clump to a basis hair that lies otherwise.
-    void updateClumped(const MapSampler& clump, SlotSet& dirty) const;
+    void updateClumped(const GroupSettings& settings, const MapSampler& clump, SlotSet& dirty) const;
+    /// The same where locks have leaders.
+    void updateLocks(const GroupSettings& settings, const MapSampler& clump, SlotSet& dirty) const;
     void rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const LayInputs& lay,
                        const ChangedSlots& dirty, Groom& groom, SlotSet& rebuilt);
     void countDependents(const StrandChunk* chunk, std::size_t chunkIndex, const SlotSet& slots, std::uint32_t one);
@@ -75,6 +78,8 @@ private:
     std::vector<std::uint8_t> m_kinds;            ///< [slots], the braid map.
     std::vector<std::uint8_t> m_kindOfBasis;      ///< [basis hairs]: what m_braids was made from.
     BraidLayout m_braids;
+    LockPartition m_locks;
+    float m_lockSizeM = 0.0F; ///< That m_locks was made for, of m_roots.
 };
 
 } // namespace hairpaint::sim

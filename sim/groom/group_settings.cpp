@@ -27,6 +27,21 @@ constexpr SettingEffect kSettingEffects[] = {
     {&GroupSettings::greatestCurlRadiusM, Affects::Hairs},
     {&GroupSettings::braidSpacingM, Affects::Hairs},
     {&GroupSettings::braidRadiusM, Affects::Hairs},
+    {&GroupSettings::lengthAsCut, Affects::Hairs},
+    {&CurlSettings::diameterM, Affects::Hairs},
+    {&CurlSettings::pitchM, Affects::Hairs},
+    {&CurlSettings::flatness, Affects::Hairs},
+    {&CurlSettings::inStepFromM, Affects::Hairs},
+    {&CurlSettings::switchbacksPerM, Affects::Hairs},
+    {&CurlSettings::skips, Affects::Hairs},
+    {&CurlSettings::uncoil, Affects::Hairs},
+    {&CurlSettings::gather, Affects::Hairs},
+    {&LockSettings::sizeM, Affects::Hairs},
+    {&LockSettings::small, Affects::Hairs},
+    {&LockSettings::flatness, Affects::Hairs},
+    {&LockSettings::twistsPerM, Affects::Hairs},
+    {&LockSettings::ragged, Affects::Hairs},
+    {&LockSettings::parting, Affects::Hairs},
     {&VariationSettings::length, Affects::Hairs},
     {&VariationSettings::curl, Affects::Hairs},
     {&VariationSettings::width, Affects::Hairs},
@@ -57,6 +72,14 @@ template<typename T>
 const GroupSettings& partOf(const GroupSettings& settings, T GroupSettings::* /*member*/)
 {
     return settings;
+}
+const CurlSettings& partOf(const GroupSettings& settings, float CurlSettings::* /*member*/)
+{
+    return settings.curl;
+}
+const LockSettings& partOf(const GroupSettings& settings, float LockSettings::* /*member*/)
+{
+    return settings.locks;
 }
 const VariationSettings& partOf(const GroupSettings& settings, float VariationSettings::* /*member*/)
 {

@@ -9,7 +9,8 @@ namespace hairpaint::sim {
 enum class TurnsMode : std::uint8_t
 {
     PerHair,
-    PerLength
+    PerLength,
+    Coils ///< As far apart as CurlSettings says, in metres.
 };
 
 /// How the hairs of a group move. All gains are those of a step of 1/60 s and are rescaled to the real step.
@@ -58,6 +59,32 @@ struct VariationSettings
     friend bool operator==(const VariationSettings&, const VariationSettings&) = default;
 };
 
+/// Curls by the measures of real hair. All but `gather` counts with TurnsMode::Coils alone.
+struct CurlSettings
+{
+    float diameterM = 0.015F;     ///< Of the coil where curl size has its default, 0..0.2.
+    float pitchM = 0.039F;        ///< From turn to turn along the hair as seen where curl is 1, 0.0005..1.
+    float flatness = 0.0F;        ///< 0..1: from a coil to an S that lies on the skin.
+    float inStepFromM = 0.0F;     ///< 0..1: distance from the scalp where the hairs of a lock have come into step.
+    float switchbacksPerM = 0.0F; ///< 0..200: how often a coil changes its hand.
+    float skips = 0.0F;           ///< 0..1: fraction of its turns that a hair leaps over.
+    float uncoil = 0.0F;          ///< 0..0.8: fraction by which the turns at the root of long hair are fewer.
+    float gather = 0.0F;          ///< 0..1: clump of curled hair where none is painted.
+    friend bool operator==(const CurlSettings&, const CurlSettings&) = default;
+};
+
+/// The locks that clump draws hair to.
+struct LockSettings
+{
+    float sizeM = 0.0F;      ///< 0..0.1: distance of locks, no less than that of the solved hairs; 0: that.
+    float small = 0.0F;      ///< 0..1: clump of the small locks, a solved hair each, that a lock is made of.
+    float flatness = 0.0F;   ///< 0..1: from a round lock to a ribbon that lies on the skin.
+    float twistsPerM = 0.0F; ///< 0..50: turns of a lock about itself.
+    float ragged = 0.0F;     ///< 0..1: how far hairs at a lock's edge belong to the next.
+    float parting = 0.0F;    ///< 0..1: how far hairs leave their lock over its last third.
+    friend bool operator==(const LockSettings&, const LockSettings&) = default;
+};
+
 /// Nodes of a skeleton, root and tip included.
 inline constexpr int kLeastNodes = 4;
 inline constexpr int kMostNodes = 32;
@@ -76,6 +103,9 @@ struct GroupSettings
     float greatestCurlRadiusM = 0.012F; ///< A curl-size value of 1.
     float braidSpacingM = 0.30F;        ///< Distance of braid centres within one painted region.
     float braidRadiusM = 0.014F;        ///< Radius r of equation 3.
+    bool lengthAsCut = false;           ///< With Coils: the length map is the fibre's, which its curl shortens.
+    CurlSettings curl;
+    LockSettings locks;
     VariationSettings variation;
     PhysicsSettings physics;
     StrandMaterial material;
@@ -99,9 +129,9 @@ enum class Affects : std::uint8_t
     return (static_cast<std::uint8_t>(what) & static_cast<std::uint8_t>(asked)) != 0;
 }
 
-using SettingMember =
-    std::variant<float GroupSettings::*, int GroupSettings::*, bool GroupSettings::*, TurnsMode GroupSettings::*,
-                 float VariationSettings::*, float PhysicsSettings::*, float StrandMaterial::*>;
+using SettingMember = std::variant<float GroupSettings::*, int GroupSettings::*, bool GroupSettings::*,
+                                   TurnsMode GroupSettings::*, float CurlSettings::*, float LockSettings::*,
+                                   float VariationSettings::*, float PhysicsSettings::*, float StrandMaterial::*>;
 
 /// What a setting affects. Each has a row in group_settings.cpp.
 [[nodiscard]] Affects affectsOf(const SettingMember& setting);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr float kPointsPerTurn = 8.0F;
 constexpr float kMostSegments = 256.0F;
+constexpr float kUpright = 1e-4F; ///< Squared sine to the normal below which a hair lies to no side.
 
 /// The formula for one strand, in floats.
 namespace of_floats {
@@ -33,6 +34,10 @@ float cosOf(float x)
 float root(float x)
 {
     return std::sqrt(x);
+}
+float floored(float x)
+{
+    return std::floor(x);
 }
 float least(float a, float b)
 {
@@ -124,6 +129,21 @@ glm::vec3 curlOffset(float t)
     return of_floats::curlOffset(t);
 }
 
+glm::vec3 coilOffset(const StrandStyle& style, const CurlSettings& curl, float s)
+{
+    return of_floats::coilOffset({.turns = style.turns,
+                                  .radiusM = style.curlRadiusM,
+                                  .phase = style.phase,
+                                  .chance = style.variation,
+                                  .lengthM = style.lengthM},
+                                 {.inStepFromM = curl.inStepFromM,
+                                  .switchbacksPerM = curl.switchbacksPerM,
+                                  .skips = curl.skips,
+                                  .flatness = curl.flatness,
+                                  .uncoil = curl.uncoil},
+                                 s);
+}
+
 glm::vec3 braidOffset(float t, float w)
 {
     const of_floats::WispPath path = of_floats::wispPath(false, t + w);
@@ -153,11 +173,19 @@ glm::vec3 frameTangentHd(const Groom& groom, std::uint32_t slot)
     const RootSet& roots = *groom.roots;
     const auto& chunk = groom.chunks[chunkOf(slot)];
     const std::uint32_t centre = chunk ? chunk->braidCentre[inChunk(slot)] : kNoCentre;
+    if (coilsOf(groom.settings) != nullptr && chunk && centre == kNoCentre) {
+        // An S lies on the skin beside the hair, and neighbours' frames are turned alike whatever the map's uv.
+        const StrandBlocks layout = groom.blocks();
+        const glm::vec3 onward = layout.node(chunk->restPositions, inChunk(slot), 1) - roots.positionHd[slot];
+        const glm::vec3 side = glm::cross(roots.normalHd[slot], onward);
+        if (glm::dot(side, side) > kUpright * glm::dot(onward, onward))
+            return glm::normalize(side);
+    }
     return roots.tangentHd[centre == kNoCentre ? slot : roots.basisSlot[centre]];
 }
 
 void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangentHd, const StrandStyle& style,
-                    int segments, std::vector<glm::vec3>& pointsHd)
+                    int segments, std::vector<glm::vec3>& pointsHd, const CurlSettings* coils)
 {
     pointsHd.clear();
     if (skeletonHd.size() < 2 || segments < 1)
@@ -203,6 +231,9 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
             const float q = of_floats::braidFraction(s, style.braidStart);
             const glm::vec3 offset = braidedOffset(style, q, braidM) * std::min(gathered, 1.0F);
             point += first * offset.x + tangent * offset.y + glm::cross(first, tangent) * offset.z;
+        } else if (isCurled && coils != nullptr) {
+            const glm::vec3 offset = coilOffset(style, *coils, s);
+            point += reference * offset.x + glm::cross(tangent, reference) * offset.y;
         } else if (isCurled) {
             const glm::vec3 offset = curlOffset(style.phase + glm::two_pi<float>() * style.turns * s) *
                                      of_floats::curlRadius(style.curlRadiusM, s);

@@ -13,6 +13,8 @@ namespace hairpaint::sim {
 
 /// Equation 1 without its linear part: (cos t, sin t, cos t sin t), in units of the radius.
 [[nodiscard]] glm::vec3 curlOffset(float t);
+/// What a coil in real units adds to a fraction s of a hair, m: along its frame's first axis and second.
+[[nodiscard]] glm::vec3 coilOffset(const StrandStyle& style, const CurlSettings& curl, float s);
 /// Equation 3 without its linear part, for wisp offset w: (cos(t + w), 0, sin(2(t + w))), in units of r.
 [[nodiscard]] glm::vec3 braidOffset(float t, float w);
 
@@ -21,8 +23,14 @@ namespace hairpaint::sim {
 /// The same, and at least two a skeleton's segment.
 [[nodiscard]] int segmentsOf(const StrandStyle& style, int nodes);
 
-/// The tangent that a hair's frame starts from: its root's, or for a braided hair that of its braid's centre, so that
-/// all hairs of a braid are turned alike.
+/// The curl's numbers where it is measured in real units, else null.
+[[nodiscard]] inline const CurlSettings* coilsOf(const GroupSettings& settings)
+{
+    return settings.turnsMode == TurnsMode::Coils ? &settings.curl : nullptr;
+}
+
+/// The tangent that a hair's frame starts from: its root's, with Coils what lies beside the hair on the skin, or for a
+/// braided hair that of its braid's centre, so that all hairs of a braid are turned alike.
 [[nodiscard]] glm::vec3 frameTangentHd(const Groom& groom, std::uint32_t slot);
 
 /// Evaluates segments + 1 points, root first, along the skeleton (Catmull-Rom through `skeletonHd`, evenly by node).
@@ -31,7 +39,8 @@ namespace hairpaint::sim {
 /// the first span of it their frame has that tangent's own projection as its first axis, and from the node after, which
 /// they share, it too minimises rotation, so that a braid that bends does not come apart. The formula is
 /// curve_formula.inl.
+/// `coils`: see coilsOf(); where null curls are equation 1's.
 void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangentHd, const StrandStyle& style,
-                    int segments, std::vector<glm::vec3>& pointsHd);
+                    int segments, std::vector<glm::vec3>& pointsHd, const CurlSettings* coils = nullptr);
 
 } // namespace hairpaint::sim

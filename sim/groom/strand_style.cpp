@@ -68,7 +68,8 @@ RootChance chanceOf(std::uint64_t seed, std::uint32_t rank)
     return chance;
 }
 
-LayRoot layRootOf(const GroupSettings& settings, const RootSet& roots, std::uint32_t slot, const RootChance& chance)
+LayRoot layRootOf(const GroupSettings& settings, const RootSet& roots, std::uint32_t slot, const RootChance& chance,
+                  float liftM)
 {
     const glm::vec3 positionHd = roots.positionHd[slot];
     const SkinFrame frame = roots.frame(slot);
@@ -76,7 +77,8 @@ LayRoot layRootOf(const GroupSettings& settings, const RootSet& roots, std::uint
             .frame = frame,
             .uv = roots.uv[slot],
             .chance = chance.coatHeight,
-            .strayHd = strayOf(settings.variation, roots.seed, roots.rankOfSlot[slot], positionHd, frame)};
+            .strayHd = strayOf(settings.variation, roots.seed, roots.rankOfSlot[slot], positionHd, frame),
+            .liftM = liftM};
 }
 
 RootColours coloursAt(const MapSamplers& maps, glm::vec2 uv)
@@ -120,12 +122,30 @@ float curlRadiusOf(const GroupSettings& settings, float value)
     constexpr float kHalfTexel = static_cast<float>(ruleOf(MapSlot::CurlSize).defaultValue[0]) / 65535.0F;
     const float fraction =
         value <= kHalfTexel ? 0.5F * (value / kHalfTexel) : 0.5F + 0.5F * ((value - kHalfTexel) / (1.0F - kHalfTexel));
-    return settings.greatestCurlRadiusM * fraction;
+    return (settings.turnsMode == TurnsMode::Coils ? settings.curl.diameterM : settings.greatestCurlRadiusM) * fraction;
+}
+
+float seenOverCut(const GroupSettings& settings, float curl, float curlSize)
+{
+    if (settings.turnsMode != TurnsMode::Coils || !settings.lengthAsCut || !(curl > 0.0F))
+        return 1.0F;
+    // The mean of the squared slopes of the two axes: exact for a coil, near for an S.
+    const float round = 1.0F - settings.curl.flatness;
+    const float windingM =
+        glm::two_pi<float>() * curlRadiusOf(settings, curlSize) * std::sqrt(0.5F + 0.5F * round * round);
+    const float pitchM = settings.curl.pitchM / std::min(curl, 1.0F);
+    return pitchM / std::sqrt(pitchM * pitchM + windingM * windingM);
 }
 
 Coil coilOf(const GroupSettings& settings, float curl, float curlSize, float lengthM)
 {
     Coil coil;
+    if (settings.turnsMode == TurnsMode::Coils) {
+        coil.turns = std::clamp(curl, 0.0F, 1.0F) * lengthM / std::max(settings.curl.pitchM, 1e-4F);
+        // The first half turn eases in.
+        coil.radiusM = curlRadiusOf(settings, curlSize) * std::min(coil.turns * 2.0F, 1.0F);
+        return coil;
+    }
     coil.turns = turnsOfCurl(curl, settings.steppedTurns);
     if (settings.turnsMode == TurnsMode::PerLength)
         coil.turns *= lengthM / std::max(settings.turnsPerLengthM, 1e-3F);
@@ -134,6 +154,14 @@ Coil coilOf(const GroupSettings& settings, float curl, float curlSize, float len
         coil.radiusM =
             std::min(curlRadiusOf(settings, curlSize), lengthM / coil.turns) * std::min(coil.turns * 2.0F, 1.0F);
     return coil;
+}
+
+float liftOf(const GroupSettings& settings, float radiusM, float lengthM)
+{
+    constexpr float kMostOfLength = 0.25F;
+    if (settings.turnsMode != TurnsMode::Coils)
+        return 0.0F;
+    return std::min(radiusM * (1.0F - settings.curl.flatness), lengthM * kMostOfLength);
 }
 
 float giveOf(const Coil& coil, float lengthM)
@@ -152,7 +180,7 @@ StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, con
 {
     StrandStyle style;
     // What is cut off takes its turns along, so that the hairs of a lock stay in step.
-    const float uncutM = lengthOf(settings, values.length);
+    const float uncutM = lengthOf(settings, values.length) * seenOverCut(settings, values.curl, values.curlSize);
     const Coil coil = coilOf(settings, values.curl, values.curlSize, uncutM);
     style.lengthM = uncutM * own.length;
     style.turns = coil.turns * own.length;

@@ -38,10 +38,14 @@ struct RootChance
 [[nodiscard]] RootChance chanceOf(std::uint64_t seed, std::uint32_t rank);
 
 [[nodiscard]] LayRoot layRootOf(const GroupSettings& settings, const RootSet& roots, std::uint32_t slot,
-                                const RootChance& chance);
+                                const RootChance& chance, float liftM = 0.0F);
 
 /// Of the curl-size map's value, m: exactly half of the greatest where nothing is painted.
 [[nodiscard]] float curlRadiusOf(const GroupSettings& settings, float value);
+
+/// Seen length over cut length p / sqrt(p^2 + (pi D)^2) of a coil of pitch p and diameter D; 1 where lengths are as
+/// seen.
+[[nodiscard]] float seenOverCut(const GroupSettings& settings, float curl, float curlSize);
 
 /// Turns by table 1 for a curl value of 0..1; `stepped` rounds to the table's levels.
 [[nodiscard]] float turnsOfCurl(float value, bool stepped);
@@ -54,6 +58,8 @@ struct Coil
 };
 /// Of the values of curl and curl size for a hair of a length.
 [[nodiscard]] Coil coilOf(const GroupSettings& settings, float curl, float curlSize, float lengthM);
+/// How far above the coat a coil in real units is laid, so that it lies on the skin and not in it; 0 for others.
+[[nodiscard]] float liftOf(const GroupSettings& settings, float radiusM, float lengthM);
 /// By what fraction of its length a coil may stretch and shorten, so that its fibre stretches by no more than 1 %;
 /// 0 where straight.
 [[nodiscard]] float giveOf(const Coil& coil, float lengthM);

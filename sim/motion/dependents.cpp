@@ -2,6 +2,7 @@
 #include "sim/motion/dependents.h"
 
 #include "sim/base/parallel.h"
+#include "sim/groom/strand_curve.h"
 #include "sim/motion/head_motion.h"
 #include "sim/solver/agreement.h"
 #include "sim/solver/dependents_kernel.h"
@@ -132,7 +133,8 @@ void Dependents::followChangedBasis(const Groom& groom, const std::vector<std::u
             ++nextParted; // It depends on basis hairs further away, too.
         const std::array<std::uint32_t, RootSet::kNeighbours>& nearest = groom.roots->neighbours[firstSlot + slot];
         if (chunk.styles->drawn[slot] &&
-            (wasParted || std::ranges::any_of(nearest, [&](std::uint32_t basis) { return changed[basis] != 0; })))
+            (wasParted || changed[leaderOf(groom, index, slot)] != 0 ||
+             std::ranges::any_of(nearest, [&](std::uint32_t basis) { return changed[basis] != 0; })))
             follow(groom, index, slot);
     }
 }
@@ -169,11 +171,7 @@ void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
                     best = next;
                 }
         if (most > kStranger) {
-            if (chunk.followed.empty()) {
-                const auto first = roots.neighbours.begin() + static_cast<std::ptrdiff_t>(index * kChunkSlots);
-                chunk.followed.assign(first,
-                                      first + std::min<std::ptrdiff_t>(kChunkSlots, roots.neighbours.end() - first));
-            }
+            makeFollowed(groom, index);
             chunk.followed[slot] = {best, nearest[0], nearest[1]};
             chunk.weights[slot] = {1.0F, 0.0F, 0.0F};
             setClump(groom, index, slot, 0.0F);
@@ -201,11 +199,45 @@ void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
     for (std::size_t k = 0; k < weights.size(); ++k)
         if (k != foremost)
             weights[k] *= agreement(m_leads[nearest[foremost]], m_leads[nearest[k]]);
-    const float clump = styles.clump[slot] * likeness(lengthM, m_leads[nearest[0]].lengthM) * agreements[0];
+    const std::uint32_t leader = leaderOf(groom, index, slot);
+    const float clump = styles.clump[slot] * likeness(lengthM, m_leads[leader].lengthM) *
+                        (leader == nearest[0] ? agreements[0] : agreed(leader));
+    if (leader != nearest[0])
+        return followLock(groom, index, slot, clump);
     const float together = weights[0] + weights[1] + weights[2];
     for (std::size_t k = 0; k < weights.size(); ++k)
         weights[k] += ((k == 0 ? together : 0.0F) - weights[k]) * clump;
     setClump(groom, index, slot, styles.clump[slot]);
+}
+
+void Dependents::followLock(const Groom& groom, std::size_t index, std::size_t slot, float clump)
+{
+    Chunk& chunk = m_chunks[index];
+    std::array<float, RootSet::kNeighbours>& weights = chunk.weights[slot];
+    const std::array<std::uint32_t, RootSet::kNeighbours>& nearest =
+        groom.roots->neighbours[index * kChunkSlots + slot];
+    makeFollowed(groom, index);
+    chunk.followed[slot] = {leaderOf(groom, index, slot), nearest[0], nearest[1]};
+    const float two = weights[0] + weights[1];
+    const float rest = two > 0.0F ? (1.0F - clump) / two : 0.0F;
+    weights = {clump, weights[0] * rest, weights[1] * rest};
+    setClump(groom, index, slot, chunk.styles->clump[slot]);
+}
+
+std::uint32_t Dependents::leaderOf(const Groom& groom, std::size_t index, std::size_t slot)
+{
+    const std::vector<std::uint32_t>& leaders = groom.chunks[index]->lockLeader;
+    return leaders.empty() ? groom.roots->neighbours[index * kChunkSlots + slot][0] : leaders[slot];
+}
+
+void Dependents::makeFollowed(const Groom& groom, std::size_t index)
+{
+    Chunk& chunk = m_chunks[index];
+    if (!chunk.followed.empty())
+        return;
+    const RootSet& roots = *groom.roots;
+    const auto first = roots.neighbours.begin() + static_cast<std::ptrdiff_t>(index * kChunkSlots);
+    chunk.followed.assign(first, first + std::min<std::ptrdiff_t>(kChunkSlots, roots.neighbours.end() - first));
 }
 
 /// Gives a hair the rest shape of a basis hair, at its own root and length.
@@ -229,7 +261,8 @@ void Dependents::setClump(const Groom& groom, std::size_t index, std::size_t slo
 {
     const RootSet& roots = *groom.roots;
     const std::size_t root = index * kChunkSlots + slot;
-    const glm::vec3 toNearest = roots.positionHd[roots.basisSlot[roots.neighbours[root][0]]] - roots.positionHd[root];
+    const glm::vec3 toNearest =
+        roots.positionHd[roots.basisSlot[leaderOf(groom, index, slot)]] - roots.positionHd[root];
     Chunk& chunk = m_chunks[index];
     const std::size_t rows = chunk.lanes.size() / (kBlocksPerChunk * kLanes);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -270,9 +303,11 @@ void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, 
         const std::span<glm::vec3> nodes = std::span(rest).first(static_cast<std::size_t>(groom.nodes));
         groom.blocks().read(styles.restPositions, slot, nodes);
         const StrandStyle& style = styles.styles[slot];
-        // A curl winds about its nodes at its radius.
+        // A curl winds about its nodes at its radius; an S lies beside them.
+        const float windingM =
+            style.curlRadiusM * (coilsOf(groom.settings) != nullptr ? 1.0F - groom.settings.curl.flatness : 1.0F);
         row(kDependentClearance) =
-            style.turns > 0.0F ? skinClearance(colliders, nodes, kSkinClearanceM + style.curlRadiusM) : kSkinClearanceM;
+            style.turns > 0.0F ? skinClearance(colliders, nodes, kSkinClearanceM + windingM) : kSkinClearanceM;
         for (int c = 0; c < colliders.count; ++c) {
             const float scale = strandScale(colliders.items[static_cast<std::size_t>(c)], nodes.first(2),
                                             coatM(height, groom.settings.physics.volumeM, segment));

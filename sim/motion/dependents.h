@@ -60,6 +60,12 @@ private:
     /// lies to another side, counts less, and the nearest counts the more the closer the hair clumps to it. Where all
     /// of the nearest lie to another side, as beside a parting, it follows one next to them that does not.
     void follow(const Groom& groom, std::size_t index, std::size_t slot);
+    /// Makes a hair follow the basis hair that leads its lock as closely as it clumps.
+    void followLock(const Groom& groom, std::size_t index, std::size_t slot, float clump);
+    /// The basis hair whose lock it is in; the nearest where locks have no others.
+    [[nodiscard]] static std::uint32_t leaderOf(const Groom& groom, std::size_t index, std::size_t slot);
+    /// Room for hairs that follow others than the nearest.
+    void makeFollowed(const Groom& groom, std::size_t index);
     void layAlong(const Groom& groom, std::size_t index, std::size_t slot, std::uint32_t basis);
     void setClump(const Groom& groom, std::size_t index, std::size_t slot, float clump);
     void prepareChunk(const Groom& groom, const ColliderSet& colliders, std::size_t index);

@@ -1,5 +1,5 @@
 // groom_build/hairs:H/varied:V: grooming H hairs from their maps, with roots and neighbours ready; varied 1: each hair
-// differs in all that variation has.
+// differs in all that variation has; varied 2: and is coiled in real units, in locks of all that locks have.
 // groom_update_dab/hairs:H: bringing the groom up to date after a dab over one per cent of the head.
 // memory/hairs:H: what hairs of 8 nodes take with roots, groom, basis hairs' motion and one frame; bytes_per_hair.
 // groom_update_comb/hairs:H: the same after a dab of the comb, whose hairs lie across the head for up to 16 cm.
@@ -37,6 +37,14 @@ void groomBuild(benchmark::State& state)
     if (state.range(1) != 0)
         input.groups.front().settings.variation = {
             .length = 0.08F, .curl = 0.12F, .width = 0.2F, .crossing = 0.08F, .flyaways = 0.012F, .grey = 0.1F};
+    if (state.range(1) > 1) {
+        sim::GroupSettings& settings = input.groups.front().settings;
+        settings.turnsMode = sim::TurnsMode::Coils;
+        settings.lengthAsCut = true;
+        settings.curl.gather = 0.8F;
+        settings.locks = {
+            .sizeM = 0.014F, .small = 0.4F, .flatness = 0.3F, .twistsPerM = 2.0F, .ragged = 0.5F, .parting = 0.3F};
+    }
     sim::GroomBuilder builder;
     benchmark::DoNotOptimize(builder.update(input));
     std::uint16_t length = 20000;
@@ -115,6 +123,7 @@ BENCHMARK(groomBuild)
     ->ArgNames({"hairs", "varied"})
     ->Args({100000, 0})
     ->Args({100000, 1})
+    ->Args({100000, 2})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK(groomUpdate<bench::dabbed>)

@@ -77,6 +77,17 @@ inline model::Project makeSampleProject(int mapSize = 256, const std::vector<mod
         s.greatestCurlRadiusM = 0.017F;
         s.braidSpacingM = 0.111F;
         s.braidRadiusM = 0.0123F;
+        s.lengthAsCut = true;
+        s.curl = {.diameterM = 0.009F,
+                  .pitchM = 0.018F,
+                  .flatness = 0.4F,
+                  .inStepFromM = 0.02F,
+                  .switchbacksPerM = 10.0F,
+                  .skips = 0.08F,
+                  .uncoil = 0.2F,
+                  .gather = 0.7F};
+        s.locks = {
+            .sizeM = 0.013F, .small = 0.4F, .flatness = 0.3F, .twistsPerM = 4.0F, .ragged = 0.6F, .parting = 0.2F};
         s.physics = {.damping = 3.3F,
                      .gravityScale = 0.9F,
                      .windScale = 1.7F,

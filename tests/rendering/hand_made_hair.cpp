@@ -39,11 +39,16 @@ std::shared_ptr<sim::StrandFrame> makeFrame(const std::vector<HandMadeStrand>& s
             chunk->drawn.set(slot);
             groom->blocks().write(group.positions, i, strand.nodesWo);
         }
+        const auto first = group.positions.begin() + static_cast<std::ptrdiff_t>(c * sim::kChunkSlots * nodes * 3);
+        chunk->restPositions.assign(first, first + static_cast<std::ptrdiff_t>(sim::kChunkSlots * nodes * 3));
         groom->chunks.push_back(chunk);
         groom->packedChunk.push_back(static_cast<std::int32_t>(c));
     }
-    for (const HandMadeStrand& strand : strands)
+    for (const HandMadeStrand& strand : strands) {
         roots->tangentHd.push_back(strand.tangentHd);
+        roots->positionHd.push_back(strand.nodesWo.front());
+        roots->normalHd.emplace_back(0.0F, 1.0F, 0.0F);
+    }
     groom->packedChunks = static_cast<std::int32_t>(chunks);
     groom->roots = std::move(roots);
     groom->hairCount = strands.size();

@@ -130,6 +130,44 @@ private Q_SLOTS:
                 QTest::addRow("%s at %g m", name, double{distance}) << strand << distance;
     }
 
+    void lanesCoilAsOneStrandDoes()
+    {
+        constexpr int kOfSpan = 24;
+        const sim::CurlSettings coils{
+            .flatness = 0.3F, .inStepFromM = 0.06F, .switchbacksPerM = 25.0F, .skips = 0.25F, .uncoil = 0.25F};
+        StrandBlock block = blockOf({.bendRad = 1.2F, .turns = 7.0F, .curlRadiusM = 0.008F});
+        block.coils = &coils;
+        std::array<sim::StrandStyle, kBlockLanes> styles;
+        for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+            sim::StrandStyle& style = styles.at(lane);
+            const auto number = static_cast<float>(lane);
+            style.lengthM = block.lengthM[lane] = 0.2F;
+            style.turns = block.turns[lane] = 5.0F + 0.4F * number;
+            style.curlRadiusM = block.curlRadiusM[lane] = 0.004F + 0.0003F * number;
+            style.phase = block.phase[lane] = 0.39F * number;
+            style.variation = block.variation[lane] = 0.11F * number - 0.9F;
+            block.width[lane] = 1.0F;
+            block.tangentWo.at(lane) = 1.0F;
+        }
+        SpanSegments segments;
+        std::fill_n(segments.of.begin(), kNodes - 1, kOfSpan);
+        segments.total = kOfSpan * (kNodes - 1);
+        StrandPoints points;
+        drawnPoints(viewFrom(0.5F, kToleranceSp), block, segments, points);
+        std::vector<glm::vec3> skeleton;
+        for (std::size_t n = 0; n < kNodes; ++n)
+            skeleton.emplace_back(block.nodesWo[n * 3 * kBlockLanes], block.nodesWo[(n * 3 + 1) * kBlockLanes],
+                                  block.nodesWo[(n * 3 + 2) * kBlockLanes]);
+        std::vector<glm::vec3> expected;
+        for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+            sim::evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, styles.at(lane), segments.total, expected, &coils);
+            for (std::size_t j = 0; j < expected.size(); ++j) {
+                const float* at = points.pointsWo.data() + j * 3 * kBlockLanes + lane;
+                QVERIFY(glm::distance(expected[j], glm::vec3(at[0], at[kBlockLanes], at[2 * kBlockLanes])) < 2e-5F);
+            }
+        }
+    }
+
     /// The line drawn is nowhere further from the curve than half a sample.
     void noCornerIsSeen()
     {

@@ -20,6 +20,7 @@ private Q_SLOTS:
     void pointsAreThoseOfTheCpu();
 
 private:
+    static constexpr int kCoiled = -1; ///< In the column of braids.
     std::unique_ptr<GlTest> m_gl;
 };
 
@@ -47,6 +48,9 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu_data()
     QTest::newRow("twist, first wisp") << 12 << 0.0F << 0.0F << 0x002 << false;
     QTest::newRow("twist, second wisp, head turned") << 12 << 0.0F << 0.0F << 0x102 << true;
     QTest::newRow("loc") << 12 << 0.0F << 0.0F << 0x003 << false;
+    // Measured in real units.
+    QTest::newRow("coil") << 12 << 9.0F << 0.009F << kCoiled << false;
+    QTest::newRow("coil, head turned") << 8 << 6.4F << 0.0075F << kCoiled << true;
 }
 
 void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
@@ -62,6 +66,8 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
     std::vector<HandMadeStrand> strands =
         hairOnBall(axes, {.hairs = 200, .lengthM = 0.25F, .turns = turns, .curlRadiusM = curlRadiusM, .nodes = nodes});
     for (HandMadeStrand& strand : strands) {
+        if (braid == kCoiled)
+            continue;
         strand.style.braid = static_cast<sim::BraidKind>(braid & 0xFF);
         strand.style.wisp = static_cast<std::uint8_t>(braid >> 8);
         strand.style.braidRadiusM = 0.014F;
@@ -69,7 +75,16 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
         strand.style.braidTurns = 4.3F;
         strand.style.wispOffset = {0.4F, -0.7F};
     }
-    auto frame = makeFrame(strands);
+    sim::GroupSettings settings;
+    if (braid == kCoiled) {
+        settings.turnsMode = sim::TurnsMode::Coils;
+        settings.curl = {.flatness = 0.3F,
+                         .inStepFromM = 0.05F,
+                         .switchbacksPerM = 12.0F,
+                         .skips = 0.2F,
+                         .uncoil = 0.25F};
+    }
+    auto frame = makeFrame(strands, settings);
     if (turned)
         frame->pose.rotation = glm::angleAxis(0.7F, glm::normalize(glm::vec3(1.0F, 2.0F, 0.5F)));
     rendering::Scene scene;
@@ -94,9 +109,10 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
     for (std::size_t i = 0; i < list.strandCount(); ++i) {
         const auto [slot, first] = list.strands()[i];
         const int segments = static_cast<int>(list.strands()[i + 1].firstPoint - first) - 1;
-        const glm::vec3 tangent = frame->pose.rotation * strands[slot].tangentHd;
+        const glm::vec3 tangent = frame->pose.rotation * sim::frameTangentHd(*frame->groups[0].groom, slot);
         const sim::StrandStyle& style = frame->groups[0].groom->chunks[0]->styles[slot];
-        sim::evaluateStrand(strands[slot].nodesWo, tangent, style, segments, expected);
+        sim::evaluateStrand(strands[slot].nodesWo, tangent, style, segments, expected,
+                            sim::coilsOf(settings));
         for (std::size_t p = 0; p < expected.size(); ++p)
             worst = std::max(worst, glm::distance(expected[p], glm::vec3(points[first + p])));
     }

@@ -33,6 +33,7 @@ class TestDependents : public QObject
 private Q_SLOTS:
     void dependentsKeepTheirLengthAndStayOutside();
     void braidedHairFollowsItsCentre();
+    void locksHoldTheirHairInStorm();
     void hairFollowsBasisHairsThatChangeInOtherChunks();
     void longHairThatLiesAsNoneAroundHangsWithThem();
 };
@@ -58,6 +59,41 @@ void TestDependents::dependentsKeepTheirLengthAndStayOutside()
     QCOMPARE(hairs, std::size_t{kHairs});
     QVERIFY2(worst < 1e-4F, qPrintable(QString::number(worst)));
     QVERIFY2(deepest < 0.003F, qPrintable(QString::number(deepest)));
+}
+
+void TestDependents::locksHoldTheirHairInStorm()
+{
+    GroomInput input = paintedBall(kHairs, 300);
+    input.groups.front().settings.locks.sizeM = 0.03F; // Some 140 locks.
+    input.groups.front().maps[MapSlot::Clump] = mapOfTexel(1, {65535});
+    Simulation simulation;
+    simulation.setInput(input);
+    const auto within = [&simulation] {
+        const StrandFrame frame = frameOf(simulation);
+        const Groom& groom = *frame.groups.front().groom;
+        int held = 0;
+        int all = 0;
+        for (std::uint32_t slot = 0; slot < kHairs; ++slot) {
+            const std::uint32_t leader =
+                groom.roots->basisSlot[groom.chunks[chunkOf(slot)]->lockLeader[inChunk(slot)]];
+            const std::vector<glm::vec3> nodes = nodesOf(frame, slot);
+            const std::vector<glm::vec3> leads = nodesOf(frame, leader);
+            if (leader == slot || nodes.empty() || leads.empty())
+                continue;
+            ++all;
+            float furthest = 0.0F;
+            for (std::size_t i = nodes.size() / 2; i < nodes.size(); ++i)
+                furthest = std::max(furthest, glm::distance(nodes[i], leads[i]));
+            held += furthest < 0.015F ? 1 : 0;
+        }
+        return static_cast<double>(held) / all;
+    };
+    simulation.settle(3.0);
+    QVERIFY2(within() > 0.9, qPrintable(QString::number(within())));
+    simulation.setWind({true, glm::vec3(15.0F, 0.5F, 1.0F), 0.5F, 0.4F});
+    for (int i = 0; i < 60; ++i)
+        simulation.advance(1.0 / 60.0);
+    QVERIFY2(within() > 0.9, qPrintable(QString::number(within())));
 }
 
 void TestDependents::braidedHairFollowsItsCentre()

@@ -4,6 +4,7 @@
 #include "model/document/commands.h"
 #include "model/growth/face_hair.h"
 #include "model/project/group_schema.h"
+#include "model/project/hair_types.h"
 #include "model/styles/hair_kinds.h"
 #include "model/values/names.h"
 #include "view/look/theme.h"
@@ -35,6 +36,23 @@ using model::schemaText;
 using model::SettingSection;
 using sim::GroupSettings;
 using sim::TurnsMode;
+
+namespace {
+
+/// Settings without effect on the curls that the group has are not shown.
+bool isShown(const GroupSetting& row, const GroupSettings& settings)
+{
+    const bool areCoils = settings.turnsMode == TurnsMode::Coils;
+    if (row.member == model::SettingMember(&GroupSettings::turnsPerLengthM))
+        return settings.turnsMode == TurnsMode::PerLength;
+    if (row.member == model::SettingMember(&GroupSettings::steppedTurns) ||
+        row.member == model::SettingMember(&GroupSettings::greatestCurlRadiusM))
+        return !areCoils;
+    return row.section != SettingSection::Curl || areCoils ||
+           row.member == model::SettingMember(&sim::CurlSettings::gather);
+}
+
+} // namespace
 
 HairPanel::HairPanel(EditorState& state, QWidget* parent)
     : QWidget(parent), m_state(state),
@@ -121,13 +139,15 @@ void HairPanel::buildGroups(QVBoxLayout& layout)
 
 void HairPanel::buildSettings(QVBoxLayout& layout)
 {
-    const std::pair<SettingSection, QString> titles[] = {{SettingSection::Shape, tr("Shape")},
-                                                         {SettingSection::Variation, tr("Variation")},
-                                                         {SettingSection::Braid, tr("Braids")},
-                                                         {SettingSection::Physics, tr("Motion")},
-                                                         {SettingSection::Look, tr("Look")}};
+    const std::pair<SettingSection, QString> titles[] = {
+        {SettingSection::Shape, tr("Shape")},  {SettingSection::Curl, tr("Curl")},
+        {SettingSection::Locks, tr("Locks")},  {SettingSection::Variation, tr("Variation")},
+        {SettingSection::Braid, tr("Braids")}, {SettingSection::Physics, tr("Motion")},
+        {SettingSection::Look, tr("Look")}};
     for (const auto& [kind, title] : titles) {
         auto* section = new Section(title, this);
+        if (kind == SettingSection::Curl)
+            section->body().addWidget(makeHairTypes(section));
         for (const GroupSetting& row : model::groupSchema()) {
             if (row.section != kind)
                 continue;
@@ -156,12 +176,64 @@ QWidget* HairPanel::makeChoice(const GroupSetting& row, QWidget* parent)
     return box;
 }
 
+QWidget* HairPanel::makeHairTypes(QWidget* parent)
+{
+    auto* line = new QWidget(parent);
+    auto* layout = new QHBoxLayout(line);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(metrics::kGap);
+    auto* label = new QLabel(tr("Hair type"), line);
+    auto* box = new QComboBox(line);
+    box->setObjectName(QStringLiteral("hairType"));
+    box->setAccessibleName(tr("Hair type"));
+    box->setToolTip(tr("From straight (1) by wavy (2) and curly (3) to coily (4): sets the numbers below"));
+    // Of numbers of one's own there is an entry only while they are there: it is not to be chosen.
+    const auto fill = [box](bool isCustom) {
+        box->clear();
+        for (const model::HairType& type : model::hairTypes())
+            box->addItem(QLatin1StringView(type.name));
+        if (isCustom)
+            box->addItem(tr("Custom"));
+    };
+    fill(true);
+    label->setBuddy(box);
+    layout->addWidget(label);
+    layout->addWidget(box, 1);
+    connect(box, &QComboBox::activated, this, [this](int index) {
+        if (index < static_cast<int>(model::hairTypes().size()))
+            setHairType(static_cast<std::size_t>(index));
+    });
+    m_followers.emplace_back([box, fill](const GroupSettings& settings) {
+        const auto count = static_cast<int>(model::hairTypes().size());
+        const std::optional<std::size_t> type = model::hairTypeOf(settings);
+        if ((box->count() > count) != !type)
+            fill(!type);
+        box->setCurrentIndex(type ? static_cast<int>(*type) : count);
+    });
+    return line;
+}
+
+void HairPanel::setHairType(std::size_t index)
+{
+    m_state.document().endEdit();
+    const model::Id id = m_state.target().group();
+    const model::HairGroup* found = m_state.document().committed().group(id);
+    if (found == nullptr)
+        return;
+    GroupSettings settings = found->settings;
+    model::setHairType(settings, model::hairTypes()[index]);
+    m_state.document().push(setSettingsCommand(m_state.document(), id, settings,
+                                               tr("Hair type of \"%1\"").arg(model::shownName(found->name))));
+}
+
 QWidget* HairPanel::makeSwitch(const GroupSetting& row, QWidget* parent)
 {
     auto* box = new QCheckBox(schemaText(row.hint), parent);
     connect(box, &QCheckBox::clicked, this, [this, &row](bool on) { change(row, on ? 1.0 : 0.0); });
-    m_followers.emplace_back(
-        [box, &row](const GroupSettings& settings) { box->setChecked(row.read(settings) != 0.0); });
+    m_followers.emplace_back([box, &row](const GroupSettings& settings) {
+        box->setChecked(row.read(settings) != 0.0);
+        box->setVisible(isShown(row, settings));
+    });
     return box;
 }
 
@@ -197,11 +269,10 @@ QWidget* HairPanel::makeSlider(const GroupSetting& row, QWidget* parent)
         connect(slider, &BarSlider::editingFinished, this, [session] { session->commit(); });
         connect(slider, &BarSlider::editingCancelled, this, [session] { session->drop(); });
     }
-    const bool needsPerLength = row.member == model::SettingMember(&GroupSettings::turnsPerLengthM);
-    m_followers.emplace_back([this, slider, &row, needsPerLength](const GroupSettings& settings) {
+    m_followers.emplace_back([this, slider, &row](const GroupSettings& settings) {
         slider->setDefaultValue(row.shown(model::newGroupSettings(scalpFraction()), scalpFraction()));
         slider->setValue(row.shown(settings, scalpFraction()));
-        slider->setVisible(!needsPerLength || settings.turnsMode == TurnsMode::PerLength);
+        slider->setVisible(isShown(row, settings));
     });
     return slider;
 }
@@ -362,6 +433,7 @@ void HairPanel::addGroup(const model::HairKind& kind)
     const QString name = numbered(number);
     GroupSettings settings = model::newGroupSettings(scalpFraction());
     model::makeNatural(settings);
+    model::setHairType(settings, model::hairType("3B"));
     kind.apply(settings);
     const model::Result<Grown> made = m_grow(kind, m_state.document().committed().head);
     if (!made)

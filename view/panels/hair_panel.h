@@ -52,6 +52,7 @@ private:
     void buildGroups(QVBoxLayout& layout);
     void buildSettings(QVBoxLayout& layout);
     [[nodiscard]] QWidget* makeChoice(const model::GroupSetting& row, QWidget* parent);
+    [[nodiscard]] QWidget* makeHairTypes(QWidget* parent);
     [[nodiscard]] QWidget* makeSwitch(const model::GroupSetting& row, QWidget* parent);
     [[nodiscard]] QWidget* makeSlider(const model::GroupSetting& row, QWidget* parent);
     /// A slider of a map's range keeps what is painted on it (model/document/range_change.h). `edited`: the group that
@@ -61,6 +62,7 @@ private:
     void tellClamped(const model::RangeChange& change, const model::RangeChange::Clamped& clamped);
     /// One command; `value` in SI units.
     void change(const model::GroupSetting& row, double value);
+    void setHairType(std::size_t index);
     void rebuildGroups();
     void follow();
     [[nodiscard]] const model::HairGroup* group() const;

@@ -1,4 +1,5 @@
 // Styles of curled and coiled hair.
+#include "model/project/hair_types.h"
 #include "styles.h"
 
 #include <array>
@@ -32,16 +33,20 @@ Style ringlets()
                     user.setLayerOpacity(MapKind::Density, 0.75F);
                     user.fill(MapKind::Colour, colour(0xFF703018));
                     cutToLine(user, -0.13F, 0.06F);
-                    user.fill(MapKind::Curl, scalar(0.66F));
-                    user.fill(MapKind::Clump, scalar(0.93F));
+                    user.fill(MapKind::Curl, scalar(1.0F));
                 }};
-    style.settings.greatestCurlRadiusM = 0.018F;
-    // One ringlet a basis hair.
+    model::setHairType(style.settings, model::hairType("3B"));
+    style.settings.curl.diameterM = 0.020F;
+    style.settings.curl.pitchM = 0.050F;
+    style.settings.curl.inStepFromM = 0.010F;
+    style.settings.curl.skips = 0.04F;
+    style.settings.curl.gather = 0.93F;
+    style.settings.locks.sizeM = 0.018F;
     // Locks hold together: what differs within one blurs it.
     style.settings.variation.crossing = 0.02F;
     style.settings.variation.curl = 0.05F;
     style.settings.variation.flyaways = 0.006F;
-    style.settings.basisHairs = 1800;
+    style.settings.nodesPerHair = 12;
     return style;
 }
 
@@ -54,8 +59,7 @@ Style afro()
                 .record = [](Recording& user) {
                     user.setLayerOpacity(MapKind::Density, 0.8F);
                     user.fill(MapKind::Colour, colour(0xFF241712));
-                    user.fill(MapKind::Curl, scalar(0.9F));
-                    user.fill(MapKind::Clump, scalar(0.55F));
+                    user.fill(MapKind::Curl, scalar(1.0F));
                     user.fill(MapKind::Gel, scalar(0.92F));
                     user.fill(MapKind::Direction, upright());
                     // Cut to a ball that leaves the face free.
@@ -76,8 +80,17 @@ Style afro()
                         user.brush(MapKind::Length, user.length(lengthM), {.sizeM = sizeM, .hardness = 0.0F},
                                    user.along(kFrontHairline));
                 }};
-    style.settings.greatestCurlRadiusM = 0.012F;
-    style.settings.basisHairs = 8000;
+    // A sponge of coils that are out of step for most of their length, and in which nothing is combed.
+    model::setHairType(style.settings, model::hairType("4A"));
+    style.settings.curl.diameterM = 0.008F;
+    style.settings.curl.pitchM = 0.010F;
+    style.settings.curl.inStepFromM = 0.06F;
+    style.settings.curl.switchbacksPerM = 40.0F;
+    style.settings.curl.skips = 0.15F;
+    style.settings.curl.gather = 0.6F;
+    style.settings.locks = {.sizeM = 0.012F, .small = 0.5F, .ragged = 0.8F, .parting = 0.8F};
+    style.settings.variation.curl = 0.4F;
+    style.settings.variation.crossing = 0.3F;
     style.settings.material.shine = 0.25F;
     return style;
 }

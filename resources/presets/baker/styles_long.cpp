@@ -1,4 +1,5 @@
 // Styles that fall over the shoulders or to the chin.
+#include "model/project/hair_types.h"
 #include "styles.h"
 
 #include <array>
@@ -126,8 +127,8 @@ Style splitDye()
                     user.rectangle(MapKind::Colour, colour(0xFFA0245C), {0.5F, 0.0F}, {1.0F, 1.0F});
                     user.setMirror(true);
                     cutToLine(user, -0.155F, 0.09F);
-                    user.fill(MapKind::Curl, scalar(0.36F));
-                    user.fill(MapKind::Clump, scalar(0.8F));
+                    user.fill(MapKind::Curl, scalar(1.0F));
+                    user.fill(MapKind::Clump, scalar(0.3F));
                     // A clean parting, so that neither colour strays into the other; no lock has hair of both sides.
                     Recording::Places middle = user.overHead(0.0F, 0.065F, -0.085F);
                     for (const float heightM : {0.05F, 0.02F})
@@ -135,9 +136,9 @@ Style splitDye()
                     user.brush(MapKind::Clump, scalar(0.0F), {.sizeM = 0.03F, .hardness = 0.4F}, middle);
                     user.part({.flatness = 0.93F, .gapM = 0.004F}, middle);
                 }};
-    style.settings.greatestCurlRadiusM = 0.018F;
-    style.settings.nodesPerHair = 10;
-    style.settings.basisHairs = 8000;
+    model::setHairType(style.settings, model::hairType("2C"));
+    style.settings.curl.gather = 0.4F;
+    style.settings.nodesPerHair = 12;
     return style;
 }
 

@@ -1,6 +1,7 @@
 // The compute passes: opacity grids, points along the strands, their light.
 #include "view/rendering/gl/hair_pass.h"
 
+#include "sim/groom/strand_curve.h"
 #include "view/rendering/drawn_fraction.h"
 
 #include <epoxy/gl.h>
@@ -204,6 +205,10 @@ bool HairPass::projectPiece()
     m_expand.set("firstStrand", piece.firstStrand);
     m_expand.set("strandCount", piece.strandCount);
     m_expand.set("nodes", group.groom().nodes);
+    const sim::CurlSettings& curl = settings.curl;
+    m_expand.set("isCoiled", sim::coilsOf(settings) != nullptr ? 1 : 0);
+    m_expand.set("coil", glm::vec4(curl.inStepFromM, curl.switchbacksPerM, curl.skips, curl.flatness));
+    m_expand.set("uncoil", curl.uncoil);
     dispatch(piece.strandCount);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 

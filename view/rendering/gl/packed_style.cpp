@@ -29,7 +29,7 @@ PackedStyle packed(const sim::StrandStyle& style, glm::vec3 rootTangentHd)
             .tipColour = style.tipColour,
             .width = style.width,
             .braid = static_cast<std::uint32_t>(style.braid) | (std::uint32_t{style.wisp} << 8U),
-            .braidRadiusM = style.braidRadiusM,
+            .braidRadiusM = style.braid == sim::BraidKind::None ? style.lengthM : style.braidRadiusM,
             .braidStart = style.braidStart,
             .braidTurns = style.braidTurns,
             .wispOffsetX = style.wispOffset.x,

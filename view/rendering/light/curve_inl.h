@@ -75,6 +75,23 @@ HWY_INLINE Triple<Lanes> braidedOffset(const StrandBlock& block, std::size_t lan
     return of_lanes::braidedOffset(hair, girth, path, along, lengthM);
 }
 
+/// At fraction s of the hairs, m: along the frame's first axis and the second.
+HWY_INLINE Triple<Lanes> coilOffset(const StrandBlock& block, std::size_t lane, float s)
+{
+    const sim::CurlSettings& coils = *block.coils;
+    return of_lanes::coilOffset({.turns = loaded(block.turns.data() + lane),
+                                 .radiusM = loaded(block.curlRadiusM.data() + lane),
+                                 .phase = loaded(block.phase.data() + lane),
+                                 .chance = loaded(block.variation.data() + lane),
+                                 .lengthM = loaded(block.lengthM.data() + lane)},
+                                {.inStepFromM = Lanes(coils.inStepFromM),
+                                 .switchbacksPerM = Lanes(coils.switchbacksPerM),
+                                 .skips = Lanes(coils.skips),
+                                 .flatness = Lanes(coils.flatness),
+                                 .uncoil = Lanes(coils.uncoil)},
+                                Lanes(s));
+}
+
 /// Writes spans.total + 1 points [point][3][kMostLanes] of the lanes from `lane` on, Wo.
 HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spans, std::size_t lane, float* pointsWo)
 {
@@ -135,7 +152,11 @@ HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spa
                 point = select(braided, axis + first * offset.x + tangent * offset.y + cross(first, tangent) * offset.z,
                                axis);
             }
-            if (block.anyCurl) {
+            if (block.anyCurl && block.coils != nullptr) {
+                const Triple<Lanes> offset = coilOffset(block, lane, s);
+                const Triple<Lanes> curled = axis + reference * offset.x + cross(tangent, reference) * offset.y;
+                point = block.anyBraid ? select(braided, point, curled) : curled;
+            } else if (block.anyCurl) {
                 const Lanes angle =
                     loaded(block.phase.data() + lane) + loaded(block.turns.data() + lane) * Lanes(kTwoPi * s);
                 const Triple<Lanes> offset = of_lanes::curlOffset(angle);

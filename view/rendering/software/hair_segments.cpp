@@ -29,6 +29,7 @@ void setStyle(StrandBlock& block, std::size_t lane, const sim::StrandStyle& styl
     block.turns[lane] = style.turns;
     block.curlRadiusM[lane] = curled ? style.curlRadiusM : 0.0F;
     block.phase[lane] = style.phase;
+    block.lengthM[lane] = style.lengthM;
     block.width[lane] = style.width;
     block.variation[lane] = style.variation;
     block.order[lane] = style.detail;
@@ -72,6 +73,7 @@ void fillBlock(StrandBlock& block, const sim::GroupFrame& group, std::span<const
 {
     const sim::Groom& groom = *group.groom;
     block.nodes = groom.nodes;
+    block.coils = sim::coilsOf(groom.settings);
     block.anyBraid = false;
     block.anyCurl = false;
     const auto nodes = static_cast<std::size_t>(groom.nodes);

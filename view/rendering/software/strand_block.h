@@ -1,6 +1,7 @@
 // Sixteen strands side by side, as the kernels of the software renderer take and give them.
 #pragma once
 
+#include "sim/groom/group_settings.h"
 #include "view/rendering/eye_grid.h"
 #include "view/rendering/light/hair_light.h"
 
@@ -24,10 +25,12 @@ struct alignas(64) StrandBlock
     int nodes = 2;
     bool anyBraid = false;
     bool anyCurl = false;
-    bool anyFrame = false; ///< Curled or braided: the frame along the skeleton matters.
+    const sim::CurlSettings* coils = nullptr; ///< See sim::coilsOf.
+    bool anyFrame = false;                    ///< Curled or braided: the frame along the skeleton matters.
     LaneRow turns;
     LaneRow curlRadiusM; ///< 0 where there is no curl.
     LaneRow phase;
+    LaneRow lengthM;
     LaneRow width; ///< Multiple of the group's.
     LaneRow variation;
     LaneRow order;                     ///< 0..1: hairs of a low one stand for the others where not all are drawn.
