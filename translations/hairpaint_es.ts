@@ -4004,14 +4004,6 @@ Se ha perdido esto:</translation>
 <context>
     <name>hairpaint::view::BarSlider</name>
     <message>
-        <source>Ctrl-drag for fine, double-click to type, right-click to reset</source>
-        <translation>Control+arrastrar: ajuste fino; doble clic: escribir; clic derecho: restablecer</translation>
-    </message>
-    <message>
-        <source>Ctrl-drag for fine, double-click to type</source>
-        <translation>Control+arrastrar: ajuste fino; doble clic: escribir</translation>
-    </message>
-    <message>
         <source>%1 is the most that can be set here.</source>
         <translation>%1 es lo máximo que se puede poner aquí.</translation>
     </message>
@@ -4022,6 +4014,17 @@ Se ha perdido esto:</translation>
     <message>
         <source>%1 It stays %2.</source>
         <translation>%1 Se queda en %2.</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::BarValue</name>
+    <message>
+        <source>Ctrl-drag for fine, double-click to type, right-click to reset</source>
+        <translation>Control+arrastrar: ajuste fino; doble clic: escribir; clic derecho: restablecer</translation>
+    </message>
+    <message>
+        <source>Ctrl-drag for fine, double-click to type</source>
+        <translation>Control+arrastrar: ajuste fino; doble clic: escribir</translation>
     </message>
 </context>
 <context>

@@ -42,7 +42,7 @@ void install(std::unique_ptr<QTranslator> translator)
     QCoreApplication::installTranslator(translator.release());
 }
 
-/// What Qt's own dialogs and buttons say: its package's place on Linux, the program's folder on Windows.
+/// What Qt's own dialogs and buttons say: its package's folder on Linux, the program's folder on Windows.
 void installQtCatalogue(const QString& code)
 {
     auto translator = std::make_unique<QTranslator>();

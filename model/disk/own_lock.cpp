@@ -33,18 +33,18 @@ namespace {
 constexpr int kLockTries = 4;
 constexpr qint64 kMostLockBytes = 4096;
 
-enum class Grip
+enum class LockAnswer
 {
     Held,
     Other, ///< Somebody has it.
     Unknown
 };
 
-Grip grip(int descriptor)
+LockAnswer lockAnswer(int descriptor)
 {
     if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0)
-        return Grip::Held;
-    return errno == EWOULDBLOCK ? Grip::Other : Grip::Unknown; // Not every network folder can.
+        return LockAnswer::Held;
+    return errno == EWOULDBLOCK ? LockAnswer::Other : LockAnswer::Unknown; // Not every network folder can.
 }
 
 QByteArray linesOfThisProcess()
@@ -93,8 +93,9 @@ OwnLock::State OwnLock::take()
                 break;
             continue;
         }
-        const Grip held = grip(m_descriptor);
-        if (held == Grip::Other || (status.st_size > 0 && isHeldByLines(m_descriptor, held == Grip::Held))) {
+        const LockAnswer held = lockAnswer(m_descriptor);
+        if (held == LockAnswer::Other ||
+            (status.st_size > 0 && isHeldByLines(m_descriptor, held == LockAnswer::Held))) {
             (void)::close(std::exchange(m_descriptor, -1));
             return State::Held;
         }
@@ -122,9 +123,10 @@ bool OwnLock::isHeld()
     if (descriptor < 0)
         return false;
     struct stat status = {};
-    const Grip held = grip(descriptor);
-    const bool is = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
-                    (held == Grip::Other || (status.st_size > 0 && isHeldByLines(descriptor, held == Grip::Held)));
+    const LockAnswer held = lockAnswer(descriptor);
+    const bool is =
+        ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
+        (held == LockAnswer::Other || (status.st_size > 0 && isHeldByLines(descriptor, held == LockAnswer::Held)));
     (void)::close(descriptor);
     return is;
 }

@@ -39,7 +39,7 @@ constexpr float kShortest = 0.2F;     ///< Of the strands are no longer than wha
 constexpr float kTuft = 0.15F;        ///< Of a braid, at its end: it opens there.
 constexpr float kGathers = 0.1F;      ///< Likewise where it begins.
 constexpr float kParts = 1.8F;        ///< The bundle ends where it is so many times as wide as usual,
-constexpr float kTied = 0.6F;         ///< or, where it has a place before that is narrow, there.
+constexpr float kTied = 0.6F;         ///< or, where it is narrow somewhere before that, there.
 constexpr float kLeastBraided = 0.5F; ///< Of what is looked at.
 constexpr float kShortestBraidM = 0.03F;
 // Of braids that our own kinds make: the fraction of the square of distances that strands go from side to side is .64

@@ -68,7 +68,7 @@ public:
     }
 
     /// Scaled and moved until the roots lie as near to the skin as they come: each round brings them to the nearest
-    /// places (iterative closest points, Besl and McKay 1992, with a scale).
+    /// points (iterative closest points, Besl and McKay 1992, with a scale).
     [[nodiscard]] CurvePlacement fitted(const glm::mat3& rotation) const
     {
         CurvePlacement placement = roughly(rotation);

@@ -173,7 +173,7 @@ std::optional<std::vector<HairGroup>> carriedGroups(std::vector<HairGroup> group
                                                     const std::shared_ptr<const Head>& from,
                                                     const std::shared_ptr<const Head>& to, const Progress& progress)
 {
-    constexpr int kLargestTable = 1024; // Two seconds; between its places lies next to nothing of a head.
+    constexpr int kLargestTable = 1024; // Two seconds; between its entries lies next to nothing of a head.
     constexpr double kTableFraction = 0.5;
     if (!canCarry(from, to))
         return groups;

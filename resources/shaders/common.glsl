@@ -37,7 +37,7 @@ uint nodeIndex(uint slot, int node, int nodes)
 
 const float kPi = 3.14159265;
 
-// Of a place whose normalised device x and y and distance along the view are given: 0..1 in the grid away from the eye.
+// Of a point whose normalised device x and y and distance along the view are given: 0..1 in the grid away from the eye.
 vec3 inEyeGrid(vec3 seen)
 {
     return (seen - eyeGrid[0].xyz) * eyeGrid[1].xyz;
@@ -57,7 +57,7 @@ float linearDepth(float depth)
     return depthRange.z / (depthRange.w - (2.0 * depth - 1.0));
 }
 
-// The place of a sample whose depth buffer holds `depth`.
+// The position of a sample whose depth buffer holds `depth`.
 vec3 unprojected(vec2 atSp, float depth)
 {
     vec4 wo = woFromProjection * vec4(vec3(atSp / target.xy, depth) * 2.0 - 1.0, 1.0);

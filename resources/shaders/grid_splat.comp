@@ -1,4 +1,4 @@
-// Adds the hair's area to the voxels of both opacity grids. Each place is moved by up to half a voxel at random (the same
+// Adds the hair's area to the voxels of both opacity grids. Each point is moved by up to half a voxel at random (the same
 // for the same strand), which over many strands is a smooth splat for the price of one. One invocation a strand.
 layout(local_size_x = 64) in;
 

@@ -51,7 +51,7 @@ vec3 grained(vec3 n, float depth)
     return normalize(n - (slope - n * dot(slope, n)));
 }
 
-// Sky that reaches a place of which `sky` is open, light thrown back by the skin around it included: Jimenez and others,
+// Sky that reaches a point of which `sky` is open, light thrown back by the skin around it included: Jimenez and others,
 // Practical Realtime Strategies for Accurate Indirect Occlusion.
 vec3 openness(float sky, vec3 albedo)
 {

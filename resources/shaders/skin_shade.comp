@@ -1,4 +1,4 @@
-// The hair's shadow on the skin, from both opacity grids. Soft as it is, one place stands for a cell of pixels; where the
+// The hair's shadow on the skin, from both opacity grids. Soft as it is, one sample stands for a cell of pixels; where the
 // cell's middle misses the head, one of its corners may hit it. One invocation a cell.
 layout(local_size_x = 8, local_size_y = 8) in;
 

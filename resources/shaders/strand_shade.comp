@@ -6,7 +6,7 @@ layout(std430, binding = 0) readonly buffer Strands { DrawnStrand strands[]; };
 layout(std430, binding = 1) readonly buffer Styles { PackedStyle styles[]; };
 layout(std430, binding = 2) readonly buffer Points { vec4 pointsWo[]; };
 layout(std430, binding = 3) writeonly buffer Projected { uvec4 projected[]; };
-// Area of hair between a place and the light, the eye, over the area it covers.
+// Area of hair between a point and the light, the eye, over the area it covers.
 layout(binding = 0) uniform sampler3D opacityToLight;
 layout(binding = 1) uniform sampler3D opacityToEye;
 
@@ -34,7 +34,7 @@ vec3 colourFromBytes(uint bits)
     return linearFromSrgb(unpackUnorm4x8(bits).rgb);
 }
 
-// Before a place between the columns around, in the one with the least.
+// Before a point between the columns around, in the one with the least.
 float inColumnWithLeast(vec3 place)
 {
     int side = textureSize(opacityToEye, 0).x;
@@ -69,8 +69,8 @@ void main()
     vec2 across = clip.xy / max(clip.w, kNearestDrawnM);
     vec2 placeSp = (across * 0.5 + 0.5) * target.xy;
 
-    // Light that reaches this place through the other hair: from the light, and from all around on the eye's side.
-    // A little before this place, so that a strand does not shade itself.
+    // Light that reaches this point through the other hair: from the light, and from all around on the eye's side.
+    // A little before this point, so that a strand does not shade itself.
     vec3 voxel = vec3(0.0, 0.0, 1.0 / float(textureSize(opacityToLight, 0).z));
     vec3 seen = inEyeGrid(vec3(across, clip.w)) - 1.5 * voxel;
     float towardEye = texture(opacityToEye, seen).x;

@@ -1,4 +1,4 @@
-// Sums the tiles' counts, so that each tile has a place for its entries, and clears them. One workgroup.
+// Sums the tiles' counts, so that each tile has a range for its entries, and clears them. One workgroup.
 layout(local_size_x = 256) in;
 
 layout(std430, binding = 1) buffer Counts { uint counts[]; };

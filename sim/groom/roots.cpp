@@ -103,7 +103,7 @@ private:
     std::array<std::uint32_t, 7> m_factors{};
 };
 
-/// Orders the ranks along the curve. Among n <= 2^k ranks no two share their place's first k bits, so each has a cell
+/// Orders the ranks along the curve. Among n <= 2^k ranks no two share their index's first k bits, so each has a cell
 /// of its own and nothing need be compared.
 void orderAlongCurve(RootSet& roots, const CurveSequence& sequence, std::size_t count)
 {
@@ -170,7 +170,7 @@ void placeOnSkin(RootSet& roots, const CurveSequence& sequence, const AreaCurve&
         std::size_t at = 0;
         for (std::size_t slot = begin; slot < end; ++slot) {
             const std::uint32_t rank = roots.rankOfSlot[slot];
-            // Below the sequence's 32 bits the place is random, so that it is not tied to a lattice.
+            // Below the sequence's 32 bits the index is random, so that it is not tied to a lattice.
             const std::uint64_t low = hash64(seed, rank) >> 43U;
             const std::uint64_t curvePosition = (static_cast<std::uint64_t>(sequence(rank)) << 21U) | low;
             const double area = static_cast<double>(curvePosition) * (totalArea / 9007199254740992.0);

@@ -73,14 +73,14 @@ void WindField::puff(glm::vec3 centreWo, glm::vec3 velocity, float radiusM)
 {
     if (!isFinite(centreWo) || !isFinite(velocity) || !std::isfinite(radiusM) || radiusM <= 1e-4F)
         return;
-    if (m_puffs.size() == kMaxPuffs)
-        m_puffs.erase(m_puffs.begin());
-    m_puffs.push_back({centreWo, limitedSpeed(velocity), radiusM, kPuffSteps});
+    if (m_blows.size() == kMaxPuffs)
+        m_blows.erase(m_blows.begin());
+    m_blows.push_back({centreWo, limitedSpeed(velocity), radiusM, kPuffSteps});
 }
 
 bool WindField::blows() const
 {
-    return m_wind.enabled || !m_puffs.empty();
+    return m_wind.enabled || !m_blows.empty();
 }
 
 StepForces WindField::calm(const HeadPose& pose)
@@ -115,15 +115,15 @@ StepForces WindField::nextStep(const HeadPose& from, const HeadPose& to)
         forces.phaseA = phaseAfter(m_step, kRateA);
         forces.phaseB = phaseAfter(m_step, kRateB);
     }
-    for (Puff& puff : m_puffs) {
+    for (Blow& blow : m_blows) {
         PuffForces& to3 = forces.puffs[static_cast<std::size_t>(forces.puffCount++)];
-        to3.centre = toArray(pointToHead(to, puff.centreWo));
-        const float fading = static_cast<float>(puff.stepsLeft) / static_cast<float>(kPuffSteps);
-        to3.velocity = toArray(directionToHead(to, puff.velocity * (kStep * fading)));
-        to3.inverseRadius2 = 1.0F / (puff.radiusM * puff.radiusM);
-        --puff.stepsLeft;
+        to3.centre = toArray(pointToHead(to, blow.centreWo));
+        const float fading = static_cast<float>(blow.stepsLeft) / static_cast<float>(kPuffSteps);
+        to3.velocity = toArray(directionToHead(to, blow.velocity * (kStep * fading)));
+        to3.inverseRadius2 = 1.0F / (blow.radiusM * blow.radiusM);
+        --blow.stepsLeft;
     }
-    std::erase_if(m_puffs, [](const Puff& puff) { return puff.stepsLeft <= 0; });
+    std::erase_if(m_blows, [](const Blow& blow) { return blow.stepsLeft <= 0; });
     ++m_step;
     return forces;
 }

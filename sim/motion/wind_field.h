@@ -27,7 +27,7 @@ public:
     [[nodiscard]] static StepForces calm(const HeadPose& pose);
 
 private:
-    struct Puff
+    struct Blow
     {
         glm::vec3 centreWo{0.0F};
         glm::vec3 velocity{0.0F};
@@ -35,7 +35,7 @@ private:
         int stepsLeft = 0;
     };
     Wind m_wind{.enabled = false};
-    std::vector<Puff> m_puffs;
+    std::vector<Blow> m_blows;
     std::uint64_t m_step = 0;
 };
 

@@ -36,7 +36,7 @@ glm::vec3 halfGradient(const Collider& c, glm::vec3 p)
 
 SkinField fieldOf(const DistanceGrid& grid)
 {
-    constexpr float kDiagonal = 1.7320508F; // Nowhere does a distance change faster than the place.
+    constexpr float kDiagonal = 1.7320508F; // Nowhere does a distance change faster than the position.
     const GridLayout& layout = grid.layout();
     const float unitsACell = layout.cellM / DistanceGrid::kUnitM;
     return {.pairs = grid.pairs().data(),

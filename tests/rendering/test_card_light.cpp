@@ -69,7 +69,7 @@ private Q_SLOTS:
         QFETCH(bool, software);
         Scene scene = cardScene();
         const Picture marschner = drawnBy(software, scene);
-        for (const Scattering other : {Scattering::KajiyaKay, Scattering::IlluminatedLines}) {
+        for (const ScatteringModel other : {ScatteringModel::KajiyaKay, ScatteringModel::IlluminatedLines}) {
             scene.light.scattering = other;
             QVERIFY(drawnBy(software, scene).difference(marschner) > 0.4);
         }

@@ -320,13 +320,13 @@ private Q_SLOTS:
     void surroundingsAreAsBrightAsEachOtherAndNowhereNegative_data()
     {
         QTest::addColumn<int>("which");
-        for (std::size_t i = 0; i < kSurroundingsCount; ++i)
+        for (std::size_t i = 0; i < kEnvironmentCount; ++i)
             QTest::addRow("surroundings %zu", i) << static_cast<int>(i);
     }
     void surroundingsAreAsBrightAsEachOtherAndNowhereNegative()
     {
         QFETCH(int, which);
-        const Irradiance& e = irradianceOf(static_cast<Surroundings>(which));
+        const Irradiance& e = irradianceOf(static_cast<EnvironmentKind>(which));
         double mean = 0.0;
         constexpr int kCount = 4000;
         for (int i = 0; i < kCount; ++i) {

@@ -86,9 +86,9 @@ private Q_SLOTS:
     void shadersAndKernelsAgree_data()
     {
         QTest::addColumn<int>("model");
-        QTest::newRow("Marschner") << static_cast<int>(Scattering::Marschner);
-        QTest::newRow("Kajiya-Kay") << static_cast<int>(Scattering::KajiyaKay);
-        QTest::newRow("illuminated lines") << static_cast<int>(Scattering::IlluminatedLines);
+        QTest::newRow("Marschner") << static_cast<int>(ScatteringModel::Marschner);
+        QTest::newRow("Kajiya-Kay") << static_cast<int>(ScatteringModel::KajiyaKay);
+        QTest::newRow("illuminated lines") << static_cast<int>(ScatteringModel::IlluminatedLines);
     }
     void shadersAndKernelsAgree()
     {
@@ -110,7 +110,7 @@ private Q_SLOTS:
         constants.rimWo = glm::vec4(direction(), 0.0F);
         constants.rimColour = glm::vec4(0.9F);
         for (std::size_t i = 0; i < constants.around.size(); ++i)
-            constants.around.at(i) = glm::vec4(irradianceOf(Surroundings::Sunset).at(i), 0.0F);
+            constants.around.at(i) = glm::vec4(irradianceOf(EnvironmentKind::Sunset).at(i), 0.0F);
 
         constexpr std::size_t kPlaces = 8192;
         std::vector<GpuPlace> places(kPlaces);

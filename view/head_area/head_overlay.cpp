@@ -21,7 +21,7 @@ constexpr double kDirectionsOpacity = 0.6; ///< Hair is seen below.
 constexpr double kFadedOpacity = 0.1;
 constexpr int kFadeMs = 150;
 
-/// Where a place of the map shows; none off the skin or on the far side.
+/// Where a point of the map shows; none off the skin or on the far side.
 std::optional<QPointF> shownAt(QPointF uv, const sim::Skin& skin, const rendering::Camera& camera,
                                const sim::HeadPose& pose, QSizeF size)
 {

@@ -6,10 +6,10 @@
 namespace hairpaint::view {
 
 // The renderer knows nothing of the model, but says the same.
-static_assert(model::kSurroundingsCount == rendering::kSurroundingsCount);
-static_assert(static_cast<int>(model::Surroundings::Even) == static_cast<int>(rendering::Surroundings::Even));
+static_assert(model::kSurroundingsCount == rendering::kEnvironmentCount);
+static_assert(static_cast<int>(model::Surroundings::Even) == static_cast<int>(rendering::EnvironmentKind::Even));
 static_assert(static_cast<int>(model::Scattering::IlluminatedLines) ==
-              static_cast<int>(rendering::Scattering::IlluminatedLines));
+              static_cast<int>(rendering::ScatteringModel::IlluminatedLines));
 
 rendering::Light sceneLight(const model::LightSettings& settings)
 {
@@ -22,8 +22,8 @@ rendering::Light sceneLight(const model::LightSettings& settings)
             .fill = settings.fill,
             .rim = settings.rim,
             .ambient = settings.ambient,
-            .surroundings = static_cast<rendering::Surroundings>(settings.surroundings),
-            .scattering = static_cast<rendering::Scattering>(settings.scattering)};
+            .surroundings = static_cast<rendering::EnvironmentKind>(settings.surroundings),
+            .scattering = static_cast<rendering::ScatteringModel>(settings.scattering)};
 }
 
 rendering::SkinShading sceneSkin(model::SkinTone tone)

@@ -32,7 +32,7 @@ double distanceTo(const QPolygonF& line, QPointF position)
     return nearest;
 }
 
-/// How far along a line from `from` lies the place that is nearest to the ray; none where it is seen from its end.
+/// How far along a line from `from` lies the point that is nearest to the ray; none where it is seen from its end.
 std::optional<float> alongLine(glm::vec3 from, glm::vec3 unit, const sim::RayHd& ray)
 {
     const float cosine = glm::dot(unit, ray.directionHd);

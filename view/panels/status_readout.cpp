@@ -29,7 +29,7 @@ QLabel* makeNumber(QWidget* parent, const QString& widest)
     return label;
 }
 
-/// Digits of equal width: Inter's own are proportional, so a figure space fills the place of missing ones and digits
+/// Digits of equal width: Inter's own are proportional, so a figure space fills the column of missing ones and digits
 /// come from the font's tabular set where Qt can ask for it.
 QString padded(const QString& number, qsizetype digits)
 {

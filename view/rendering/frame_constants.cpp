@@ -48,7 +48,7 @@ struct Extent
     }
 };
 
-/// The x of sixteen strands' node. A place of nothing but zeros is no hair's, and gets no number.
+/// The x of sixteen strands' node. A slot of nothing but zeros is no hair's, and gets no number.
 Extent::Row placedX(const float* x, const float* y, const float* z)
 {
     Extent::Row placed;

@@ -35,7 +35,7 @@ HairLighting hairLighting(const FrameConstants& constants, const sim::StrandMate
             .around = irradianceIn(constants),
             .headWo = glm::vec3(constants.headWo),
             .headRadiusM = constants.headWo.w,
-            .scattering = static_cast<Scattering>(static_cast<int>(constants.keyWo.w)),
+            .scattering = static_cast<ScatteringModel>(static_cast<int>(constants.keyWo.w)),
             .shine = material.shine,
             .shape = fibreShape(material.roughness),
             .highlightExponent = highlightExponent(material.roughness)};

@@ -39,8 +39,8 @@ struct Light
     float fill = 0.4F;
     float rim = 0.6F;
     float ambient = 0.35F; ///< How bright the surroundings are.
-    Surroundings surroundings = Surroundings::Studio;
-    Scattering scattering = Scattering::Marschner;
+    EnvironmentKind surroundings = EnvironmentKind::Studio;
+    ScatteringModel scattering = ScatteringModel::Marschner;
     friend bool operator==(const Light&, const Light&) = default;
 };
 

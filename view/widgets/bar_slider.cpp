@@ -1,8 +1,6 @@
 // Mouse, keys and typing of the filled bar.
 #include "view/widgets/bar_slider.h"
 
-#include "view/look/theme.h"
-#include "view/widgets/bar_picture.h"
 #include "view/widgets/field_hint.h"
 #include "view/widgets/number_edit.h"
 
@@ -10,11 +8,9 @@
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
-#include <QPainter>
 #include <QStyleHints>
 #include <QWheelEvent>
 
-#include <algorithm>
 #include <cmath>
 
 namespace hairpaint::view {
@@ -24,161 +20,15 @@ namespace {
 constexpr double kFine = 0.1;
 constexpr int kWheelPauseMs = 350; ///< Notches closer together than this are one change.
 
-/// Degrees stand against their number, other units a thin space away.
-QString spacedUnit(const QString& unit)
-{
-    return unit.isEmpty() || unit == QStringLiteral("°") ? unit : QChar(0x2009) + unit;
-}
-
 } // namespace
 
-BarSlider::BarSlider(const QString& label, QWidget* parent) : QWidget(parent), m_label(label)
+BarSlider::BarSlider(const QString& label, QWidget* parent) : BarValue(label, parent)
 {
     setFocusPolicy(Qt::StrongFocus);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setCursor(Qt::SizeHorCursor);
-    setFont(themeFont(TextRole::Label));
-    m_settle.setSingleShot(true);
-    connect(&m_settle, &QTimer::timeout, this, &BarSlider::finish);
-    describe();
-}
-
-void BarSlider::setValue(double value)
-{
-    if (m_editing) {
-        m_told = value;
-        return;
-    }
-    m_told.reset();
-    value = rounded(value);
-    if (value == m_value)
-        return;
-    m_value = value;
-    describe();
-    update();
-}
-
-void BarSlider::setRange(double minimum, double maximum, int decimals)
-{
-    m_minimum = minimum;
-    m_maximum = std::max(minimum, maximum);
-    m_decimals = decimals;
-    m_value = rounded(m_value);
-    describe();
-    update();
-}
-
-void BarSlider::setUnit(const QString& unit)
-{
-    m_unit = unit;
-    describe();
-    update();
-}
-
-void BarSlider::setExponent(double exponent)
-{
-    m_exponent = exponent;
-    update();
-}
-
-void BarSlider::setDefaultValue(double value)
-{
-    m_default = value;
-    m_hasDefault = true;
-    describe();
-}
-
-void BarSlider::setLabel(const QString& label)
-{
-    m_label = label;
-    describe();
-    update();
-}
-
-void BarSlider::setGradient(const QList<QColor>& colours)
-{
-    m_gradient = colours;
-    update();
-}
-
-void BarSlider::setPreferredWidth(int width)
-{
-    m_preferredWidth = width;
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    updateGeometry();
-}
-
-void BarSlider::setHint(const QString& hint)
-{
-    m_hint = hint;
-    describe();
-}
-
-void BarSlider::describe()
-{
-    setAccessibleName(m_label);
-    setAccessibleDescription(valueText());
-    const QString use = m_hasDefault ? tr("Ctrl-drag for fine, double-click to type, right-click to reset")
-                                     : tr("Ctrl-drag for fine, double-click to type");
-    setToolTip((m_hint.isEmpty() ? m_label : m_hint) + QLatin1Char('\n') + use);
-}
-
-double BarSlider::rounded(double value) const
-{
-    const double power = std::pow(10.0, m_decimals);
-    return std::clamp(std::round(value * power) / power, m_minimum, m_maximum);
-}
-
-double BarSlider::fractionOf(double value) const
-{
-    if (m_maximum <= m_minimum)
-        return 0.0;
-    return std::pow(std::clamp((value - m_minimum) / (m_maximum - m_minimum), 0.0, 1.0), 1.0 / m_exponent);
-}
-
-double BarSlider::valueAt(double fraction) const
-{
-    return rounded(m_minimum + (m_maximum - m_minimum) * std::pow(std::clamp(fraction, 0.0, 1.0), m_exponent));
-}
-
-void BarSlider::begin()
-{
-    m_settle.stop();
-    if (m_editing)
-        return;
-    m_editing = true;
-    m_before = m_value;
-    m_told.reset();
-    Q_EMIT editingBegan();
-}
-
-void BarSlider::moveTo(double value)
-{
-    value = rounded(value);
-    if (value == m_value)
-        return;
-    m_value = value;
-    m_told.reset();
-    describe();
-    update();
-    Q_EMIT valueChanged(m_value);
-}
-
-void BarSlider::finish()
-{
-    m_settle.stop();
-    if (!m_editing)
-        return;
-    m_editing = false;
-    m_dragging = false;
-    update();
-    if (m_value == m_before)
-        Q_EMIT editingCancelled();
-    else
-        Q_EMIT editingFinished(m_value);
-    // What it was told last holds, unless it has been told anew.
-    if (const std::optional<double> told = m_told; told && !m_editing)
-        setValue(*told);
+    // However a change ends, nothing is dragged any more.
+    connect(this, &BarValue::editingFinished, this, [this] { m_dragging = false; });
+    connect(this, &BarValue::editingCancelled, this, [this] { m_dragging = false; });
 }
 
 void BarSlider::release()
@@ -188,49 +38,28 @@ void BarSlider::release()
     finish();
 }
 
-void BarSlider::cancel()
-{
-    m_settle.stop();
-    if (!m_editing)
-        return;
-    m_value = m_before;
-    m_told.reset();
-    m_editing = false;
-    m_dragging = false;
-    describe();
-    update();
-    Q_EMIT editingCancelled();
-}
-
-void BarSlider::stepBy(double steps)
-{
-    double step = (m_maximum - m_minimum) / 100.0;
-    step = std::max(step, std::pow(10.0, -m_decimals));
-    moveTo(m_value + steps * step);
-}
-
 void BarSlider::mousePressEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::RightButton) {
         if (m_dragging) {
             cancel();
-        } else if (m_hasDefault) {
+        } else if (const std::optional<double> reset = defaultValue()) {
             begin();
-            moveTo(m_default);
+            moveTo(*reset);
             finish();
         }
         return;
     }
     if (event->button() != Qt::LeftButton)
         return;
-    if (m_settle.isActive())
+    if (finishesSoon())
         finish(); // Another change than the click or the notch before it.
     begin();
     m_dragging = true;
     m_moved = false;
     m_lastX = event->position().x();
     m_pressX = m_lastX;
-    m_dragFraction = (event->modifiers() & Qt::ControlModifier) != 0 ? fractionOf(m_value) : m_lastX / width();
+    m_dragFraction = (event->modifiers() & Qt::ControlModifier) != 0 ? fractionOf(value()) : m_lastX / width();
     moveTo(valueAt(m_dragFraction));
 }
 
@@ -256,7 +85,7 @@ void BarSlider::mouseReleaseEvent(QMouseEvent* event)
     if (m_moved)
         finish();
     else
-        m_settle.start(QGuiApplication::styleHints()->mouseDoubleClickInterval());
+        finishIn(QGuiApplication::styleHints()->mouseDoubleClickInterval());
 }
 
 void BarSlider::mouseDoubleClickEvent(QMouseEvent* event)
@@ -283,7 +112,7 @@ void BarSlider::wheelEvent(QWheelEvent* event)
         return;
     begin();
     stepBy(notches * ((event->modifiers() & Qt::ShiftModifier) != 0 ? 10.0 : 1.0));
-    m_settle.start(kWheelPauseMs);
+    finishIn(kWheelPauseMs);
 }
 
 void BarSlider::keyPressEvent(QKeyEvent* event)
@@ -306,7 +135,7 @@ void BarSlider::keyPressEvent(QKeyEvent* event)
         openEditor();
         return;
     case Qt::Key_Escape:
-        if (m_editing) {
+        if (editing()) {
             cancel();
             return;
         }
@@ -345,7 +174,7 @@ bool BarSlider::event(QEvent* event)
     // keyboard came to it: after a click they still choose maps.
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
-        if ((m_editing && key->key() == Qt::Key_Escape) || key->key() == Qt::Key_F2 || startsTyping(*key)) {
+        if ((editing() && key->key() == Qt::Key_Escape) || key->key() == Qt::Key_F2 || startsTyping(*key)) {
             event->accept();
             return true;
         }
@@ -387,9 +216,9 @@ void BarSlider::openEditor()
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     m_editor =
-        new NumberEdit(locale.toString(m_value, 'f', m_decimals), {.unit = m_unit, .whole = m_decimals == 0}, this);
+        new NumberEdit(locale.toString(value(), 'f', decimals()), {.unit = unit(), .whole = decimals() == 0}, this);
     m_editor->setGeometry(rect());
-    m_editor->setAccessibleName(m_label);
+    m_editor->setAccessibleName(label());
     connect(m_editor, &NumberEdit::entered, this, &BarSlider::take);
     connect(m_editor, &NumberEdit::left, this, &BarSlider::closeEditor);
     QWidget::setTabOrder(this, m_editor);
@@ -403,11 +232,11 @@ void BarSlider::take(double typed)
     moveTo(typed);
     finish();
     // Rounding alone is nothing to tell.
-    const double beyond = 0.5 * std::pow(10.0, -m_decimals);
-    if (!isVisible() || (typed <= m_maximum + beyond && typed >= m_minimum - beyond))
+    const double beyond = 0.5 * std::pow(10.0, -decimals());
+    if (!isVisible() || (typed <= maximum() + beyond && typed >= minimum() - beyond))
         return;
-    const QString sentence = typed > m_maximum ? tr("%1 is the most that can be set here.").arg(numberText(m_maximum))
-                                               : tr("%1 is the least that can be set here.").arg(numberText(m_minimum));
+    const QString sentence = typed > maximum() ? tr("%1 is the most that can be set here.").arg(numberText(maximum()))
+                                               : tr("%1 is the least that can be set here.").arg(numberText(minimum()));
     FieldHint::showAt(*this, sentence, FieldHint::Tone::Note);
 }
 
@@ -429,61 +258,6 @@ void BarSlider::resizeEvent(QResizeEvent* event)
     if (m_editor != nullptr)
         m_editor->setGeometry(rect());
     QWidget::resizeEvent(event);
-}
-
-QString BarSlider::valueText() const
-{
-    return numberText(m_value);
-}
-
-QString BarSlider::numberText(double value) const
-{
-    return QLocale().toString(value, 'f', m_decimals) + spacedUnit(m_unit);
-}
-
-QSize BarSlider::sizeHint() const
-{
-    return {std::max(minimumSizeHint().width(), m_preferredWidth), metrics::kSlider};
-}
-
-QSize BarSlider::minimumSizeHint() const
-{
-    const QFontMetrics font = fontMetrics();
-    return {font.horizontalAdvance(m_label) + font.horizontalAdvance(numberText(m_maximum)) + 3 * kBarInset,
-            metrics::kSlider};
-}
-
-void BarSlider::paintEvent(QPaintEvent* /*event*/)
-{
-    QPainter painter(this);
-    paintBar(painter, rect(),
-             {.label = m_label,
-              .value = valueText(),
-              .fraction = fractionOf(m_value),
-              .gradient = m_gradient,
-              .exponent = m_exponent,
-              .enabled = isEnabled(),
-              .hovered = isEnabled() && underMouse(),
-              .focused = hasFocus()});
-}
-
-void BarSlider::enterEvent(QEnterEvent* event)
-{
-    update();
-    QWidget::enterEvent(event);
-}
-
-void BarSlider::leaveEvent(QEvent* event)
-{
-    update();
-    QWidget::leaveEvent(event);
-}
-
-void BarSlider::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::EnabledChange || event->type() == QEvent::PaletteChange)
-        update();
-    QWidget::changeEvent(event);
 }
 
 } // namespace hairpaint::view

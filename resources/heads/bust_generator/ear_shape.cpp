@@ -66,7 +66,7 @@ std::vector<Bead> smoothed(std::span<const Bead> beads)
     return fine;
 }
 
-// The height (or depth) of the ridge at the given place.
+// The height (or depth) of the ridge at the given position.
 float ridge(const glm::vec2& position, std::span<const Bead> beads, float width)
 {
     float strongest = 0.0F;

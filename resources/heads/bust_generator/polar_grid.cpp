@@ -13,8 +13,8 @@ namespace hairpaint::heads {
 
 namespace {
 
-// The axis from which the rings' rays start, by the ring's place s in [0, 1]: start height and depth (m), the axis's
-// tilt backward, the ray's angle from the axis, and how much further it dips at the front (degrees).
+// The axis from which the rings' rays start, by the ring's parameter s in [0, 1]: start height and depth (m), the
+// axis's tilt backward, the ray's angle from the axis, and how much further it dips at the front (degrees).
 struct AxisKey
 {
     float s;

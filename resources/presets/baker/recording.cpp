@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kMapSize = 512;
 constexpr float kMouseStepM = 0.004F;     ///< Between two events of a drag.
-constexpr float kLevelStepDegrees = 7.5F; ///< Between places along a height.
-constexpr float kOverStepM = 0.012F;      ///< Between places over the head.
+constexpr float kLevelStepDegrees = 7.5F; ///< Between points along a height.
+constexpr float kOverStepM = 0.012F;      ///< Between points over the head.
 constexpr float kAxisForwardM = -0.010F;  ///< Of the axis around which the head is looked at.
 constexpr float kHighM = 0.5F;            ///< Above everything.
 constexpr double kBetweenClicksSeconds = 2.0;

@@ -92,7 +92,7 @@ public:
     void rectangle(MapKind map, const PaintValue& value, glm::vec2 fromUv, glm::vec2 toUv);
     /// Lays hair along the way.
     void comb(float flatness, const Ring& ring, const Places& places);
-    /// A click at each place, then Enter.
+    /// A click at each point, then Enter.
     void part(const Parting& parting, const Places& places);
 
 private:
@@ -102,7 +102,7 @@ private:
     void push(model::CommandPtr command);
     void use(const Ring& ring);
     void click(model::ToolId id, MapKind map, const sim::SurfacePoint& place);
-    /// From place to place along a smooth curve over the skin, as a hand would.
+    /// From point to point along a smooth curve over the skin, as a hand would.
     void drag(model::ToolId id, MapKind map, const Places& places);
     [[nodiscard]] model::ToolEvent eventAt(const sim::SurfacePoint& place) const;
 

@@ -67,7 +67,7 @@ constexpr std::array<SoftLamp, 3> kClubLamps{{{{-1.0F, 0.2F, 0.2F}, {1.9F, 0.12F
                                               {{1.0F, 0.2F, -0.1F}, {0.06F, 0.9F, 1.7F}, 0.35F},
                                               {{0.0F, 0.8F, -0.7F}, {0.5F, 0.1F, 0.9F}, 0.4F}}};
 
-std::array<Irradiance, kSurroundingsCount> allSurroundings()
+std::array<Irradiance, kEnvironmentCount> allEnvironments()
 {
     return {irradianceFrom({{0.55F, 0.55F, 0.56F}, {0.3F, 0.29F, 0.28F}, kStudioLamps}),
             irradianceFrom({{0.75F, 0.95F, 1.25F}, {0.42F, 0.38F, 0.3F}, kDaylightLamps}),
@@ -78,9 +78,9 @@ std::array<Irradiance, kSurroundingsCount> allSurroundings()
 
 } // namespace
 
-const Irradiance& irradianceOf(Surroundings surroundings)
+const Irradiance& irradianceOf(EnvironmentKind surroundings)
 {
-    static const std::array<Irradiance, kSurroundingsCount> all = allSurroundings();
+    static const std::array<Irradiance, kEnvironmentCount> all = allEnvironments();
     return all.at(static_cast<std::size_t>(surroundings));
 }
 

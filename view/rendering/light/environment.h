@@ -12,7 +12,7 @@ namespace hairpaint::rendering {
 /// x, xy, yz, 3zz-1, xz, xx-yy (Ramamoorthi and Hanrahan 2001). Linear colours.
 using Irradiance = std::array<glm::vec3, 9>;
 
-enum class Surroundings : std::uint8_t
+enum class EnvironmentKind : std::uint8_t
 {
     Studio,
     Daylight,
@@ -20,9 +20,9 @@ enum class Surroundings : std::uint8_t
     Club,
     Even
 };
-inline constexpr std::size_t kSurroundingsCount = 5;
+inline constexpr std::size_t kEnvironmentCount = 5;
 
 /// Of mean brightness 1.
-[[nodiscard]] const Irradiance& irradianceOf(Surroundings surroundings);
+[[nodiscard]] const Irradiance& irradianceOf(EnvironmentKind surroundings);
 
 } // namespace hairpaint::rendering

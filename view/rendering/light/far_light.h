@@ -15,7 +15,7 @@ struct FarLight
 };
 
 /// How a hair scatters light.
-enum class Scattering : std::uint8_t
+enum class ScatteringModel : std::uint8_t
 {
     Marschner,
     KajiyaKay,

@@ -19,7 +19,7 @@ struct HairLighting
     Irradiance around{};
     glm::vec3 headWo{0.0F}; ///< The middle that the coat faces away from.
     float headRadiusM = 0.0F;
-    Scattering scattering = Scattering::Marschner;
+    ScatteringModel scattering = ScatteringModel::Marschner;
     float shine = 0.5F; ///< 0..1; a natural hair's is 0.5.
     FibreShape shape = fibreShape(0.3F);
     float highlightExponent = 182.0F; ///< Of the models that have one.

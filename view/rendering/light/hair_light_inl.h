@@ -82,7 +82,7 @@ HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, co
     const F wrap = clamped(dot(coat.normal, toward) * F(0.62F) + F(0.38F), 0.0F, 1.0F);
     const F facing = F(0.1F) + F(0.9F) * wrap * wrap;
     Triple<F> lit;
-    if (given.scattering == Scattering::Marschner) {
+    if (given.scattering == ScatteringModel::Marschner) {
         const FibreLobes<F> lobes = marschner<set>(given.shape, at, point.depth, point.turned);
         const F front = shine * passed.direct * F(kPi);
         const F body = (F(0.35F) + F(0.65F) * at.cosI) * facing * F(kCoat);
@@ -94,7 +94,7 @@ HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, co
                             (coat.open * F(kPi * kForward));
         if constexpr (set != LobeSet::Forward)
             lit = lit + lobes.trt * front;
-    } else if (given.scattering == Scattering::KajiyaKay) {
+    } else if (given.scattering == ScatteringModel::KajiyaKay) {
         const Highlights<F> highlights = kajiyaKay(at, given.highlightExponent);
         const F gloss = shine * passed.direct * wrap;
         const F white = highlights.first * gloss * F(0.15F);
