@@ -185,6 +185,7 @@ void GroupDynamics::hang(const StrandState& state, std::size_t strand, std::span
                                .stiffnessM = m_groom->settings.physics.stiffnessM,
                                .girthM = state.field(strand, kGirth),
                                .styled = std::min(hold / (kHeldFully + hold), 1.0F),
+                               .sheds = m_groom->settings.physics.body > 0.0F,
                                .downHd = downHd};
     hangStrand(nodesHd, restHd, wanted, m_colliders, scales);
 }
@@ -292,7 +293,7 @@ void GroupDynamics::step(std::span<const StepForces> steps)
         std::size_t count = left.size();
         if (m_body) {
             count = m_body->meet(m_state, count);
-            blocks.pushes = m_body->pushes();
+            blocks.body = m_body->rows();
         }
         parallelFor(m_state.blocks, kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
             stepBlocks(blocks, m_gains, m_colliders, left.first(count), m_state.present, begin, end);

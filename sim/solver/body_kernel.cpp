@@ -150,11 +150,19 @@ HWY_INLINE std::array<std::size_t, kPairs> pairOffsets(const BodyGrid& grid)
     return {0, 4 * row, 4 * slice, 4 * (slice + row)};
 }
 
-HWY_INLINE Lanes3 clampedVelocity(const float* HWY_RESTRICT position, const float* HWY_RESTRICT previous)
+struct MovingNode
 {
-    const Lanes3 v = loaded3(position) - loaded3(previous);
-    return {clamped(v.x, -kBodyFastestM, kBodyFastestM), clamped(v.y, -kBodyFastestM, kBodyFastestM),
-            clamped(v.z, -kBodyFastestM, kBodyFastestM)};
+    Lanes3 position; ///< In the middle of the steps that a grid is for.
+    Lanes3 velocity; ///< m a step.
+};
+
+HWY_INLINE MovingNode nodeAt(const BodyNodes& nodes, std::size_t at)
+{
+    const Lanes3 now = loaded3(nodes.positions + at);
+    const Lanes3 v = now - loaded3(nodes.previous + at);
+    const Lanes3 velocity{clamped(v.x, -kBodyFastestM, kBodyFastestM), clamped(v.y, -kBodyFastestM, kBodyFastestM),
+                          clamped(v.z, -kBodyFastestM, kBodyFastestM)};
+    return {now + velocity * (0.5F * static_cast<float>(kStepsAGrid)), velocity};
 }
 
 BodyBounds BoundsOfBody(const BodyNodes& nodes, std::size_t begin, std::size_t end)
@@ -169,7 +177,7 @@ BodyBounds BoundsOfBody(const BodyNodes& nodes, std::size_t begin, std::size_t e
             if (!any(counts))
                 continue;
             for (std::size_t node = kFirstBodyNode; node < count; ++node) {
-                const Lanes3 p = loaded3(nodes.positions + (block * count + node) * StrandBlocks::kNodeStride + lane);
+                const Lanes3 p = nodeAt(nodes, (block * count + node) * StrandBlocks::kNodeStride + lane).position;
                 least3 = select(counts, {least(p.x, least3.x), least(p.y, least3.y), least(p.z, least3.z)}, least3);
                 most3 = select(counts, {most(p.x, most3.x), most(p.y, most3.y), most(p.z, most3.z)}, most3);
             }
@@ -203,10 +211,10 @@ void SplatBody(const BodyNodes& nodes, const BodyGrid& grid, std::size_t begin, 
                 continue;
             for (std::size_t node = kFirstBodyNode; node < count; ++node) {
                 const std::size_t at = (block * count + node) * StrandBlocks::kNodeStride + lane;
-                const CellOfNode cell = cellOf(grid, loaded3(nodes.positions + at));
+                const MovingNode moving = nodeAt(nodes, at);
+                const CellOfNode cell = cellOf(grid, moving.position);
                 hn::Store(cell.index, IntTag(), index);
-                const Lanes3 momentum =
-                    clampedVelocity(nodes.positions + at, nodes.previous + at) * (hair * (1.0F / kBodyFastestM));
+                const Lanes3 momentum = moving.velocity * (hair * (1.0F / kBodyFastestM));
                 hn::StoreInterleaved4(hair.v, momentum.x.v, momentum.y.v, momentum.z.v, Tag(), value);
                 stored(cell.t.x, x);
                 const Lanes beforeY = 1.0F - cell.t.y;
@@ -292,26 +300,42 @@ HWY_INLINE void readNode(const std::int32_t* HWY_RESTRICT first, const std::arra
     out.slope[2 * kLanes + lane] = along(depth);
 }
 
-/// How far hair around takes a node in a step that moved by `velocity` in the last.
-HWY_INLINE Lanes3 pushOf(const BodyGains& gains, const BodyAtNodes& at, Lanes perRest, const Lanes3& velocity)
+constexpr float kDenseFriction = 0.12F; ///< Fraction of the velocity against hair that is too dense that a step takes.
+constexpr float kMostFriction = 0.24F;  ///< Over the steps of a grid no more than what there is.
+constexpr float kSettlingSteps = 20.0F; ///< The contact of a strand that lay still for so long stays as it is.
+constexpr float kSlowChange = 0.01F;    ///< By so much the contact of a node at rest changes with a grid,
+constexpr float kChangePerM = 300.0F;   ///< and by so much more of one that moves, for a metre a step.
+
+/// What hair around does to a node that moved by `velocity` in the last step, into rows of kLanes floats.
+HWY_INLINE void meetHair(const BodyGains& gains, const BodyAtNodes& at, Lanes perRest, const Lanes3& velocity,
+                         Yes settling, float* HWY_RESTRICT out)
 {
     Lanes hair;
     Lanes3 momentum;
     hn::LoadInterleaved4(Tag(), at.values, hair.v, momentum.x.v, momentum.y.v, momentum.z.v);
     const Lanes3 around = momentum * (kBodyFastestM / most(hair, 1.0F));
-    const Lanes3 taken = (around - velocity) * gains.friction;
     const Lanes above = hair * perRest - (1.0F + kBodyDeadBand);
-    const Yes dense = above > 0.0F;
-    if (!any(dense))
-        return taken;
-    const Lanes much = clamped(above * (1.0F / kBodyRange), 0.0F, 1.0F);
-    // Out of where hair is dense; not at all where it is dense all around.
-    constexpr float kEven = 0.25F; // Slope of a cell, as a fraction of what it holds, that tells a direction.
-    const Lanes3 slope{loaded(at.slope), loaded(at.slope + kLanes), loaded(at.slope + 2 * kLanes)};
-    const Lanes even = hair * kEven;
-    const Lanes3 outward = slope * (Lanes(-1.0F) / root(most(dot(slope, slope) + even * even, 1.0F)));
-    const Lanes inward = least(dot(velocity - around, outward), 0.0F);
-    return taken + outward * (much * (gains.push - gains.damping * inward));
+    Lanes friction(gains.friction);
+    Lanes3 outward{0.0F, 0.0F, 0.0F};
+    if (any(above > 0.0F)) {
+        const Lanes much = clamped(above * (1.0F / kBodyRange), 0.0F, 1.0F) * gains.contact;
+        friction = least(friction + much * kDenseFriction, kMostFriction);
+        // Out of where hair is dense; not at all where it is dense all around.
+        constexpr float kEven = 0.25F; // Slope of a cell, as a fraction of what it holds, that tells a direction.
+        const Lanes3 slope{loaded(at.slope), loaded(at.slope + kLanes), loaded(at.slope + 2 * kLanes)};
+        const Lanes even = hair * kEven;
+        outward = slope * (much * -1.0F / root(most(dot(slope, slope) + even * even, 1.0F)));
+    }
+    stored3((around - velocity) * friction, out);
+    const Lanes3 before = loaded3(out + 3 * kLanes);
+    const Lanes3 change = outward - before;
+    const Lanes change2 = dot(change, change);
+    if (any(change2 > 0.0F)) {
+        // A contact that answered at once to every tenth of a millimetre, a grid late, would swing for ever.
+        const Lanes limit = select(settling, 0.0F, kSlowChange + root(dot(velocity, velocity)) * kChangePerM);
+        outward = before + change * least(Lanes(1.0F), limit / root(most(change2, 1e-12F)));
+    }
+    stored3(outward, out + 3 * kLanes);
 }
 
 void PushBody(const BodyNodes& nodes, const BodyGrid& grid, const BodyPush& push, std::size_t begin, std::size_t end)
@@ -324,20 +348,22 @@ void PushBody(const BodyNodes& nodes, const BodyGrid& grid, const BodyPush& push
     BodyAtNodes read;
     for (std::size_t block = begin; block < end; ++block)
         for (std::size_t lane = 0; lane < kLanes; lane += width) {
-            if (all(loaded(push.still + block * push.stillStride + lane) >= kStillSteps))
+            const Lanes still = loaded(push.still + block * push.stillStride + lane);
+            if (all(still >= kStillSteps))
                 continue;
+            const Yes settling = still >= kSettlingSteps;
             for (std::size_t node = kFirstPushedNode; node < count; ++node) {
                 const std::size_t at = (block * count + node) * StrandBlocks::kNodeStride + lane;
-                const CellOfNode cell = cellOf(grid, loaded3(nodes.positions + at));
+                const MovingNode moving = nodeAt(nodes, at);
+                const CellOfNode cell = cellOf(grid, moving.position);
                 hn::Store(cell.index, IntTag(), index);
                 stored3(cell.t, t);
                 for (std::size_t i = 0; i < width; ++i)
                     readNode(grid.cells + std::size_t{4} * static_cast<std::size_t>(index[i]), offsets, t, i, read);
                 const Lanes perRest =
                     loaded(push.perRest + (block * count + node) * kLanes + lane) * push.densityPerUnit;
-                const Lanes3 pushed =
-                    pushOf(push.gains, read, perRest, clampedVelocity(nodes.positions + at, nodes.previous + at));
-                stored3(pushed, push.out + at);
+                meetHair(push.gains, read, perRest, moving.velocity, settling,
+                         push.out + (block * count + node) * kBodyRows * kLanes + lane);
             }
         }
 }

@@ -11,6 +11,7 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr std::size_t kBlocksAtOnce = 16;
+constexpr std::size_t kBlocksAPart = 8;
 constexpr std::size_t kMostParts = 4;
 constexpr std::size_t kMostCells = 32768;
 constexpr std::size_t kMostNodesSplatted = 65536; ///< With more, not every strand is splatted.
@@ -21,25 +22,24 @@ constexpr float kCellsASegment = 2.0F;
 constexpr float kFurthestM = 4.0F; ///< From the head's origin; no hair is longer.
 /// Length of hair in a volume, 1/m2, of hair that hangs loosely: a twentieth of it are fibres of 80 um.
 constexpr float kLoosePerM2 = 1e7F;
-constexpr float kGravityAStep = static_cast<float>(9.81 * kStepSeconds * kStepSeconds);
 
 } // namespace
 
 void HairBody::setGroom(const Groom& groom)
 {
     const float body = groom.settings.physics.body;
-    m_gains = {.push = 3.0F * kGravityAStep * body, .friction = 0.08F * body, .damping = 0.1F * body};
+    m_gains = {.friction = 0.2F * body, .contact = std::min(2.0F * body, 1.0F)};
     m_nodes = groom.nodes;
     m_blocks = groom.basis->blockCount();
     countHairs(groom);
     measureRest(groom);
-    m_pushes.assign(StrandBlocks(m_nodes).floatsFor(m_blocks), 0.0F);
+    m_rows.assign(m_blocks * static_cast<std::size_t>(m_nodes) * kBodyRows * kLanes, 0.0F);
     m_stepsLeft = 0;
 }
 
 void HairBody::forget()
 {
-    std::ranges::fill(m_pushes, 0.0F);
+    std::ranges::fill(m_rows, 0.0F);
     m_stepsLeft = 0;
 }
 
@@ -100,7 +100,7 @@ void HairBody::measureRest(const Groom& groom)
 
 void HairBody::makeGrid(const BodyNodes& nodes)
 {
-    const std::size_t parts = std::clamp<std::size_t>(m_blocks / kBlocksAtOnce, 1,
+    const std::size_t parts = std::clamp<std::size_t>(m_blocks / kBlocksAPart, 1,
                                                       std::min(kMostParts, static_cast<std::size_t>(threadCount())));
     const auto ofPart = [&](std::size_t part) { return m_blocks * part / parts; };
     std::array<BodyBounds, kMostParts> bounds;
@@ -177,7 +177,7 @@ std::size_t HairBody::meet(const StrandState& state, std::size_t wanted)
                             .densityPerUnit = densityPerUnit(),
                             .still = state.lanes.data() + std::size_t{kStill} * kLanes,
                             .stillStride = static_cast<std::size_t>(state.laneRows) * kLanes,
-                            .out = m_pushes.data()};
+                            .out = m_rows.data()};
         parallelFor(m_blocks, kBlocksAtOnce,
                     [&](std::size_t begin, std::size_t end) { pushBody(nodes, m_grid, push, begin, end); });
         m_stepsLeft = kStepsAGrid;

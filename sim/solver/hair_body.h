@@ -20,15 +20,14 @@ namespace hairpaint::sim {
 class HairBody
 {
 public:
-    static constexpr std::size_t kStepsAGrid = 4;
-
     void setGroom(const Groom& groom);
     /// The hair is elsewhere than it was: no pushes until the next grid, which is made with the next step.
     void forget();
     /// Before a step; makes a grid where it is time for one. Returns how many steps of `wanted` its pushes are for.
     [[nodiscard]] std::size_t meet(const StrandState& state, std::size_t wanted);
 
-    [[nodiscard]] const float* pushes() const { return m_pushes.data(); }
+    /// See SolverBlocks.
+    [[nodiscard]] const float* rows() const { return m_rows.data(); }
     [[nodiscard]] std::uint64_t gridsMade() const { return m_gridsMade; }
 
 private:
@@ -50,8 +49,8 @@ private:
     std::vector<Cells> m_parts;  ///< Each thread's cells; the sum is in the first.
     AlignedFloats m_hair;        ///< See BodyNodes.
     AlignedFloats m_perRest;     ///< See BodyPush,
-    AlignedFloats m_pushes;      ///< and so its `out`.
-    std::size_t m_stepsLeft = 0; ///< For which m_pushes are.
+    AlignedFloats m_rows;        ///< and so its `out`.
+    std::size_t m_stepsLeft = 0; ///< For which m_rows are.
     std::uint64_t m_gridsMade = 0;
 };
 

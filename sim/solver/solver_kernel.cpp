@@ -28,10 +28,11 @@ void StepBlocks(const SolverBlocks& blocks, const GroupGains& gains, const Colli
             for (const StepForces& step : steps) {
                 // Asleep for two steps: both positions are the same, and nothing needs to be written.
                 if (!asleep(lanes, step.windy ? kUnwanted : kStillSteps + 2.0F))
-                    stepStrands(gains, colliders, step,
-                                {blocks.rest + at, blocks.positions[read] + at, blocks.positions[1 - read] + at,
-                                 blocks.previous + at, lanes, scratch,
-                                 blocks.pushes == nullptr ? nullptr : blocks.pushes + at});
+                    stepStrands(
+                        gains, colliders, step,
+                        {blocks.rest + at, blocks.positions[read] + at, blocks.positions[1 - read] + at,
+                         blocks.previous + at, lanes, scratch,
+                         blocks.body == nullptr ? nullptr : blocks.body + kBodyRows / 3 * block * blockFloats + lane});
                 read = 1 - read;
             }
             if (!asleep(lanes, kStillSteps + 2.0F))

@@ -27,7 +27,8 @@ enum LaneField : std::uint8_t
     kPhaseA,
     kPhaseB,
     kExposure,     ///< Fraction of the wind's strength.
-    kGirth,        ///< Half the thickness of the braid about it, m; 0: a hair.
+    kGirth,        ///< How far it is kept from the skin, m: half the thickness of the braid about it, or what the
+                   ///< hair beneath takes up; 0: a hair.
     kGive,         ///< Fraction of its length by which the strand stretches and shortens; 0: not at all.
     kStretch,      ///< Fraction by which it is longer now, -kGive..kGive,
     kStretchSpeed, ///< and by how much more a second.
@@ -117,7 +118,7 @@ struct SolverBlocks
     float* lanes = nullptr;
     std::size_t laneRows = kScale; ///< kScale and the colliders.
     std::uint8_t* awake = nullptr; ///< [blocks] whether anything may still move; written by the kernel.
-    const float* pushes = nullptr; ///< As `rest`: what hair around adds to each displacement, m a step; or null.
+    const float* body = nullptr;   ///< [blocks][nodes][kBodyRows][kLanes]: what hair around does; null without body.
 };
 
 } // namespace hairpaint::sim

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace hairpaint::sim {
 
@@ -29,6 +30,21 @@ float rescaled(float gain)
 float damped(float k)
 {
     return 1.0F - std::min(1.0F, 1.2F * std::sqrt(k));
+}
+
+/// How far from the skin the hair beneath keeps a strand (root first) with body: 95 % of its own distance at rest where
+/// that is least once it has risen by kGirthSlope; at most its height in the coat. 0 where the rest shape leads into
+/// the skin.
+float heldUpM(const ColliderSet& colliders, std::span<const glm::vec3> restHd, float segmentM, float coatHeightM)
+{
+    constexpr float kOfRest = 0.95F;
+    float heldM = colliders.grid ? coatHeightM : 0.0F;
+    for (std::size_t i = 2; i < restHd.size() && heldM > 0.0F; ++i) {
+        const auto sample = colliders.grid->at(restHd[i]);
+        if (sample && kOfRest * sample->distanceM < kGirthSlope * segmentM * static_cast<float>(i))
+            heldM = std::min(heldM, std::max(kOfRest * sample->distanceM, 0.0F));
+    }
+    return heldM;
 }
 
 } // namespace
@@ -117,7 +133,12 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
     state.field(basisIndex, kExposure) = phases.exposure * physics.windScale;
     // Further out nothing is known of the skin.
     constexpr float kMostGirthM = DistanceGrid::kReachM - 0.5F * DistanceGrid::kCellM;
-    state.field(basisIndex, kGirth) = std::min(basis[BasisQuantity::Girth][basisIndex], kMostGirthM);
+    float girthM = basis[BasisQuantity::Girth][basisIndex];
+    if (physics.body > 0.0F)
+        girthM = std::max(girthM, std::min(2.0F * physics.body, 1.0F) *
+                                      heldUpM(colliders, std::span(rest).first(nodes), segment,
+                                              basis[BasisQuantity::Height][basisIndex] * physics.volumeM));
+    state.field(basisIndex, kGirth) = std::min(girthM, kMostGirthM);
     state.field(basisIndex, kGive) = basis[BasisQuantity::Give][basisIndex] / (1.0F + hold);
     state.field(basisIndex, kStretch) =
         std::clamp(state.field(basisIndex, kStretch), -state.field(basisIndex, kGive), state.field(basisIndex, kGive));

@@ -8,6 +8,7 @@
 
 #include "sim/base/at_length_inl.h"
 #include "sim/solver/constraints/bending_inl.h"
+#include "sim/solver/constraints/body_inl.h"
 #include "sim/solver/constraints/coil_inl.h"
 #include "sim/solver/constraints/fibre_damping_inl.h"
 #include "sim/solver/constraints/friction_inl.h"
@@ -31,7 +32,7 @@ struct StrandRows
     float* HWY_RESTRICT previous;
     float* HWY_RESTRICT lanes;
     float* HWY_RESTRICT p;          ///< Scratch: where nodes are headed.
-    const float* HWY_RESTRICT push; ///< Of the hair around, m a step; null without body.
+    const float* HWY_RESTRICT body; ///< What hair around does; null without body.
 };
 
 /// Where equation 5, with drag, gravity, wind and the hair around, and the strand's own stiffness lead its nodes, into
@@ -65,10 +66,10 @@ HWY_INLINE void predict(const GroupGains& gains, const StepForces& step, const S
         if (step.windy)
             v = blown(gains, airAt(air, gains, step, node, x), x - before, inverseSquare, v);
         const Lanes3 styled = loaded3(rows.rest + node * StrandBlocks::kNodeStride);
-        Lanes3 departure = x + v + gravity - styled;
-        if (rows.push != nullptr)
-            departure = departure + loaded3(rows.push + node * StrandBlocks::kNodeStride);
-        bending.eliminate(i, departure, rows.p);
+        Lanes3 headed = x + v + gravity;
+        if (rows.body != nullptr)
+            headed = x + amongHair(rows.body + node * kBodyRows * kLanes, v + gravity);
+        bending.eliminate(i, headed - styled, rows.p);
         before = x;
     }
     bending.substitute(rows.rest, rows.p);
