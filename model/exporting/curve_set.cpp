@@ -97,7 +97,8 @@ void CurveSet::addCurves(const CurveOptions& options)
         for (const std::uint32_t slot : groom.roots->slotOfRank) {
             if (!groom.isDrawn(slot))
                 continue;
-            const int segments = std::max(1, sim::segmentsOf(groom.style(slot), groom.nodes));
+            const int segments =
+                std::max(1, sim::segmentsOf(groom.style(slot), groom.nodes, sim::coilsOf(groom.settings)));
             m_curves.push_back({.group = group,
                                 .slot = slot,
                                 .segments = static_cast<std::uint32_t>(segments),

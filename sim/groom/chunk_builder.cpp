@@ -196,8 +196,14 @@ private:
             return false;
         float clump = m_inputs.maps[MapSlot::Clump].scalar(roots.uv[slot]);
         const float gathered = m_laid[hair].gathered;
-        if (gathered > 0.0F)
-            clump = 1.0F - (1.0F - clump) * (1.0F - gathered);
+        if (gathered > 0.0F) {
+            // Hair that is short for its lock stays on its skin, else that would show between the locks.
+            constexpr float kReaches = 4.0F;
+            const glm::vec3 apart = roots.positionHd[leaderSlot] - roots.positionHd[slot];
+            const float neededM = kReaches * std::sqrt(glm::dot(apart, apart));
+            const float reach = std::min(1.0F, m_laid[hair].style.lengthM / std::max(neededM, 1e-6F));
+            clump = 1.0F - (1.0F - clump) * (1.0F - gathered * reach);
+        }
         m_laid[hair].isInStep = m_inputs.settings.turnsMode == TurnsMode::Coils && m_laid[hair].style.turns > 0.0F;
         if (clump <= 0.0F && !m_laid[hair].isInStep)
             return false;

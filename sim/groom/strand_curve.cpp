@@ -14,7 +14,8 @@ namespace {
 
 constexpr float kPointsPerTurn = 8.0F;
 constexpr float kMostSegments = 256.0F;
-constexpr float kUpright = 1e-4F; ///< Squared sine to the normal below which a hair lies to no side.
+constexpr float kMostOfCoils = 1024.0F; ///< The finest have a turn every 2 mm.
+constexpr float kUpright = 1e-4F;       ///< Squared sine to the normal below which a hair lies to no side.
 
 /// The formula for one strand, in floats.
 namespace of_floats {
@@ -150,7 +151,7 @@ glm::vec3 braidOffset(float t, float w)
     return {path.x, 0.0F, path.z};
 }
 
-int curveSegmentsOf(const StrandStyle& style)
+int curveSegmentsOf(const StrandStyle& style, const CurlSettings* coils)
 {
     float segments = 0.0F;
     if (style.curlRadiusM > 0.0F)
@@ -159,13 +160,13 @@ int curveSegmentsOf(const StrandStyle& style)
     if (style.braid != BraidKind::None)
         segments =
             std::max(segments, style.braidTurns * 2.0F * kPointsPerTurn / std::max(1.0F - style.braidStart, 0.1F));
-    return static_cast<int>(std::ceil(std::clamp(segments, 0.0F, kMostSegments)));
+    return static_cast<int>(std::ceil(std::clamp(segments, 0.0F, coils != nullptr ? kMostOfCoils : kMostSegments)));
 }
 
-int segmentsOf(const StrandStyle& style, int nodes)
+int segmentsOf(const StrandStyle& style, int nodes, const CurlSettings* coils)
 {
-    constexpr int kMost = static_cast<int>(kMostSegments);
-    return std::clamp(std::max((nodes - 1) * 2, curveSegmentsOf(style)), 1, kMost);
+    const int most = static_cast<int>(coils != nullptr ? kMostOfCoils : kMostSegments);
+    return std::clamp(std::max((nodes - 1) * 2, curveSegmentsOf(style, coils)), 1, most);
 }
 
 glm::vec3 frameTangentHd(const Groom& groom, std::uint32_t slot)

@@ -18,10 +18,11 @@ namespace hairpaint::sim {
 /// Equation 3 without its linear part, for wisp offset w: (cos(t + w), 0, sin(2(t + w))), in units of r.
 [[nodiscard]] glm::vec3 braidOffset(float t, float w);
 
-/// Segments that a style's curl and braid ask for: at least 8 points a turn; 0..256, 0 for a straight hair.
-[[nodiscard]] int curveSegmentsOf(const StrandStyle& style);
+/// Segments that a style's curl and braid ask for: at least 8 points a turn; 0..256, with coils 0..1024, 0 for a
+/// straight hair.
+[[nodiscard]] int curveSegmentsOf(const StrandStyle& style, const CurlSettings* coils = nullptr);
 /// The same, and at least two a skeleton's segment.
-[[nodiscard]] int segmentsOf(const StrandStyle& style, int nodes);
+[[nodiscard]] int segmentsOf(const StrandStyle& style, int nodes, const CurlSettings* coils = nullptr);
 
 /// The curl's numbers where it is measured in real units, else null.
 [[nodiscard]] inline const CurlSettings* coilsOf(const GroupSettings& settings)

@@ -284,6 +284,10 @@ private Q_SLOTS:
             const float stiffnessM = project->groups[g].settings.physics.stiffnessM;
             QVERIFY(std::abs(stiffnessM - 0.05F * std::pow(2.2F, 0.73F)) < 1e-6F);
             expected.groups[g].settings.physics.stiffnessM = stiffnessM;
+            // It knew neither coils in real units nor locks.
+            expected.groups[g].settings.lengthAsCut = false;
+            expected.groups[g].settings.curl = {};
+            expected.groups[g].settings.locks = {};
         }
         QCOMPARE(test::difference(expected, *project), QString());
     }

@@ -165,6 +165,14 @@ private Q_SLOTS:
         QVERIFY2(isWithin(sum / kHairs, skips, 0.1F), qPrintable(QString::number(sum / kHairs)));
     }
 
+    void theFinestCoilsAreRound()
+    {
+        const CurlSettings curl{.diameterM = 0.0025F, .pitchM = 0.002F};
+        const StrandStyle style = coiled(curl, 0.2F, 0.0F, 0.0F);
+        QCOMPARE(segmentsOf(style, 8, &curl), 800);
+        QCOMPARE(segmentsOf(style, 8), 256); // Files of before keep their points.
+    }
+
     void aFlatOneIsAnS()
     {
         const CurlSettings curl{.diameterM = 0.045F, .pitchM = 0.225F, .flatness = 1.0F};

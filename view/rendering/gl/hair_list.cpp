@@ -9,7 +9,8 @@
 
 namespace hairpaint::rendering {
 
-void HairList::index(ChunkPart& part, const std::shared_ptr<const sim::StrandChunk>& from)
+void HairList::index(ChunkPart& part, const std::shared_ptr<const sim::StrandChunk>& from,
+                     const sim::CurlSettings* coils)
 {
     part.entries.clear();
     part.begin.fill(0);
@@ -30,10 +31,10 @@ void HairList::index(ChunkPart& part, const std::shared_ptr<const sim::StrandChu
         if (!chunk.drawn[slot])
             continue;
         const sim::StrandStyle& style = chunk.styles[slot];
-        part.entries[next[stepOf(style.detail)]++] = {.slot = static_cast<std::uint16_t>(slot),
-                                                      .curveSegments =
-                                                          static_cast<std::uint16_t>(sim::curveSegmentsOf(style)),
-                                                      .detail = style.detail};
+        part.entries[next[stepOf(style.detail)]++] = {
+            .slot = static_cast<std::uint16_t>(slot),
+            .curveSegments = static_cast<std::uint16_t>(sim::curveSegmentsOf(style, coils)),
+            .detail = style.detail};
     }
     part.chunk = from;
 }
@@ -49,7 +50,7 @@ bool HairList::update(const std::shared_ptr<const sim::Groom>& groom, float deta
         for (std::size_t i = 0; i < m_parts.size(); ++i)
             if (m_parts[i].chunk != groom->chunks[i]) {
                 m_parts[i].chunk.reset();
-                index(m_parts[i], groom->chunks[i]);
+                index(m_parts[i], groom->chunks[i], sim::coilsOf(groom->settings));
             }
     }
     m_strands.clear();

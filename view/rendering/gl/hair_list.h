@@ -51,7 +51,8 @@ private:
         std::array<std::uint16_t, kSteps + 1> begin{};
     };
     /// `part` names its chunk only when it is done.
-    static void index(ChunkPart& part, const std::shared_ptr<const sim::StrandChunk>& from);
+    static void index(ChunkPart& part, const std::shared_ptr<const sim::StrandChunk>& from,
+                      const sim::CurlSettings* coils);
 
     std::shared_ptr<const sim::Groom> m_groom;
     float m_detail = -1.0F;
