@@ -57,8 +57,10 @@ model::Project starterProject()
 model::Project baldProject()
 {
     model::Project project = model::newProject();
-    for (model::HairGroup& group : project.groups)
+    for (model::HairGroup& group : project.groups) {
         group.settings.variation = model::naturalVariation();
+        model::setNaturalEnds(group.settings);
+    }
     return project;
 }
 

@@ -97,6 +97,9 @@ constexpr GroupSetting kSettings[] = {
      QT_TRANSLATE_NOOP("GroupSchema", "How much the diameters of hairs differ"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
     {"variation.grey", &VariationSettings::grey, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Grey hairs"),
      QT_TRANSLATE_NOOP("GroupSchema", "How many of the hairs are grey"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
+    {"greatest_frizz_m", &GroupSettings::greatestFrizzM, kShape, QT_TRANSLATE_NOOP("GroupSchema", "Greatest frizz"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How far hair strays from its course where the frizz map is brightest"),
+     QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.05, 0.0, 20.0, 1, 2.0F},
     {"braid_spacing_m", &GroupSettings::braidSpacingM, kBraid, QT_TRANSLATE_NOOP("GroupSchema", "Spacing"),
      QT_TRANSLATE_NOOP("GroupSchema", "Distance between braids in one painted patch"),
      QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.005, 2.0, 0.5, 60.0, 1, 2.0F},
@@ -128,6 +131,15 @@ constexpr GroupSetting kSettings[] = {
      QT_TRANSLATE_NOOP("GroupSchema", "Difference between neighbouring hairs"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
     {"material.tip_alpha", &StrandMaterial::tipAlpha, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Opacity at the tip"),
      QT_TRANSLATE_NOOP("GroupSchema", "Less makes hair thin out"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
+    {"material.taper_m", &StrandMaterial::taperM, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Taper"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Length over which a hair thins out to its tip; at 0 it does over all of it"),
+     QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.5, 0.0, 100.0, 0, 2.0F},
+    {"material.tip_from", &StrandMaterial::tipFrom, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Tip colour from"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How far from the root the tip colour begins, of the length"), "%", 100.0, 0.0,
+     1.0, 0.0, 100.0},
+    {"material.tip_over", &StrandMaterial::tipOver, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Tip colour over"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How softly it begins: at 0 % in a line, at 100 % all the way to the tip"), "%",
+     100.0, 0.0, 1.0, 0.0, 100.0},
     {"material.root_alpha", &StrandMaterial::rootAlpha, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Opacity at the root"),
      QT_TRANSLATE_NOOP("GroupSchema", "Less lets the skin show through"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
 };
@@ -188,6 +200,11 @@ void GroupSetting::writeShown(GroupSettings& settings, double value, double scal
 sim::VariationSettings naturalVariation()
 {
     return {.length = 0.08F, .curl = 0.12F, .width = 0.2F, .crossing = 0.08F, .flyaways = 0.012F};
+}
+
+void setNaturalEnds(GroupSettings& settings)
+{
+    settings.material.taperM = 0.012F;
 }
 
 GroupSettings newGroupSettings(double scalpFraction)

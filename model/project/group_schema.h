@@ -66,6 +66,8 @@ struct GroupSetting
 /// How much the hairs of people differ, grey ones aside. What is begun by hand starts with it; what files and scripts
 /// begin is exactly what its maps say.
 [[nodiscard]] sim::VariationSettings naturalVariation();
+/// What is begun by hand ends as cut hair does: it thins out over its last centimetre alone.
+void setNaturalEnds(sim::GroupSettings& settings);
 /// What a new group starts with: 4,096 basis hairs on the scalp.
 [[nodiscard]] sim::GroupSettings newGroupSettings(double scalpFraction);
 [[nodiscard]] QString schemaText(const char* text); ///< Translated; empty stays empty.

@@ -20,6 +20,9 @@ constexpr double kPerSquareCm = 1e-4;
 constexpr double kShortGroupM = 0.03; ///< Groups with shorter hair are measured in mm.
 constexpr double kSparse = 20.0;      ///< Hairs a square centimetre, of which tenths count.
 
+constexpr double kLeastWidth = 30.0; ///< Per cent of the group's, as sim::widthOf has it.
+constexpr double kMostWidth = 170.0;
+
 constexpr std::array kTurnSteps{0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 
 struct Units
@@ -41,6 +44,11 @@ double greatestDensity(const GroupSettings& settings)
 double greatestRadiusMm(const GroupSettings& settings)
 {
     return static_cast<double>(settings.greatestCurlRadiusM) * 1000.0;
+}
+
+double greatestFrizzMm(const GroupSettings& settings)
+{
+    return static_cast<double>(settings.greatestFrizzM) * 1000.0;
 }
 
 double lengthScale(const GroupSettings& settings)
@@ -125,6 +133,22 @@ const MapScale kRadiusScale{
             const double greatest = greatestRadiusMm(settings);
             return greatest > 0.0 ? shown / greatest : 0.0;
         }};
+
+const MapScale kFrizzScale{
+    .unit = [](const GroupSettings&) { return Units::tr("mm"); },
+    .decimals = always<1>,
+    .shown = [](const GroupSettings& settings, double value) { return value * greatestFrizzMm(settings); },
+    .value =
+        [](const GroupSettings& settings, double shown) {
+            const double greatest = greatestFrizzMm(settings);
+            return greatest > 0.0 ? shown / greatest : 0.0;
+        }};
+
+const MapScale kWidthScale{
+    .unit = [](const GroupSettings&) { return QStringLiteral("%"); },
+    .decimals = always<0>,
+    .shown = [](const GroupSettings&, double value) { return kLeastWidth + (kMostWidth - kLeastWidth) * value; },
+    .value = [](const GroupSettings&, double shown) { return (shown - kLeastWidth) / (kMostWidth - kLeastWidth); }};
 
 const MapScale kPercentScale{.unit = [](const GroupSettings&) { return QStringLiteral("%"); },
                              .decimals = always<0>,

@@ -27,5 +27,9 @@ struct PackedStyle
     float wispOffsetY;
     float variation;
     float order;    // 0..1: hairs of a low one stand for the others where not all are drawn.
+    float lengthM;
+    float frizzM;
+    float shine;     // Of the group's, as its gloss has it,
+    float sharpness; // and of how sharp the highlights are.
     uint tangentHd; // A unit vector in an octahedron's two coordinates, as unpackSnorm2x16 reads them.
 };

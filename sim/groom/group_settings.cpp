@@ -25,6 +25,7 @@ constexpr SettingEffect kSettingEffects[] = {
     {&GroupSettings::steppedTurns, Affects::Hairs},
     {&GroupSettings::turnsPerLengthM, Affects::Hairs},
     {&GroupSettings::greatestCurlRadiusM, Affects::Hairs},
+    {&GroupSettings::greatestFrizzM, Affects::Hairs},
     {&GroupSettings::braidSpacingM, Affects::Hairs},
     {&GroupSettings::braidRadiusM, Affects::Hairs},
     {&VariationSettings::length, Affects::Hairs},
@@ -46,6 +47,9 @@ constexpr SettingEffect kSettingEffects[] = {
     {&StrandMaterial::rootAlpha, Affects::Look},
     {&StrandMaterial::tipAlpha, Affects::Look},
     {&StrandMaterial::colourVariation, Affects::Look},
+    {&StrandMaterial::taperM, Affects::Look},
+    {&StrandMaterial::tipFrom, Affects::Look},
+    {&StrandMaterial::tipOver, Affects::Look},
 };
 
 /// The part of the settings that a member belongs to.

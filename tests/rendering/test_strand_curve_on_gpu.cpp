@@ -36,17 +36,21 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu_data()
     QTest::addColumn<float>("curlRadiusM");
     QTest::addColumn<int>("braid"); ///< Kind, wisp in bits 8 and 9.
     QTest::addColumn<bool>("turned");
-    QTest::newRow("straight") << 8 << 0.0F << 0.0F << 0 << false;
-    QTest::newRow("four nodes") << 4 << 2.0F << 0.01F << 0 << false;
-    QTest::newRow("two turns") << 8 << 2.0F << 0.012F << 0 << false;
-    QTest::newRow("sixteen turns") << 8 << 16.0F << 0.006F << 0 << false;
-    QTest::newRow("head turned") << 12 << 5.0F << 0.01F << 0 << true;
-    QTest::newRow("plait, first wisp") << 12 << 0.0F << 0.0F << 0x001 << false;
-    QTest::newRow("plait, second wisp") << 12 << 0.0F << 0.0F << 0x101 << false;
-    QTest::newRow("plait, third wisp, head turned") << 32 << 0.0F << 0.0F << 0x201 << true;
-    QTest::newRow("twist, first wisp") << 12 << 0.0F << 0.0F << 0x002 << false;
-    QTest::newRow("twist, second wisp, head turned") << 12 << 0.0F << 0.0F << 0x102 << true;
-    QTest::newRow("loc") << 12 << 0.0F << 0.0F << 0x003 << false;
+    QTest::addColumn<float>("frizzM");
+    QTest::newRow("straight") << 8 << 0.0F << 0.0F << 0 << false << 0.0F;
+    QTest::newRow("four nodes") << 4 << 2.0F << 0.01F << 0 << false << 0.0F;
+    QTest::newRow("two turns") << 8 << 2.0F << 0.012F << 0 << false << 0.0F;
+    QTest::newRow("sixteen turns") << 8 << 16.0F << 0.006F << 0 << false << 0.0F;
+    QTest::newRow("head turned") << 12 << 5.0F << 0.01F << 0 << true << 0.0F;
+    QTest::newRow("plait, first wisp") << 12 << 0.0F << 0.0F << 0x001 << false << 0.0F;
+    QTest::newRow("plait, second wisp") << 12 << 0.0F << 0.0F << 0x101 << false << 0.0F;
+    QTest::newRow("plait, third wisp, head turned") << 32 << 0.0F << 0.0F << 0x201 << true << 0.0F;
+    QTest::newRow("twist, first wisp") << 12 << 0.0F << 0.0F << 0x002 << false << 0.0F;
+    QTest::newRow("twist, second wisp, head turned") << 12 << 0.0F << 0.0F << 0x102 << true << 0.0F;
+    QTest::newRow("loc") << 12 << 0.0F << 0.0F << 0x003 << false << 0.0F;
+    QTest::newRow("frizzy") << 8 << 0.0F << 0.0F << 0 << false << 0.006F;
+    QTest::newRow("frizzy curl, head turned") << 12 << 5.0F << 0.01F << 0 << true << 0.004F;
+    QTest::newRow("frizzy plait") << 12 << 0.0F << 0.0F << 0x101 << false << 0.003F;
 }
 
 void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
@@ -56,11 +60,13 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
     QFETCH(float, curlRadiusM);
     QFETCH(int, braid);
     QFETCH(bool, turned);
+    QFETCH(float, frizzM);
 
     // Bent skeletons from all over a ball.
     const glm::vec3 axes(0.08F, 0.11F, 0.1F);
     std::vector<HandMadeStrand> strands =
         hairOnBall(axes, {.hairs = 200, .lengthM = 0.25F, .turns = turns, .curlRadiusM = curlRadiusM, .nodes = nodes});
+    float chance = -1.0F;
     for (HandMadeStrand& strand : strands) {
         strand.style.braid = static_cast<sim::BraidKind>(braid & 0xFF);
         strand.style.wisp = static_cast<std::uint8_t>(braid >> 8);
@@ -68,6 +74,8 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
         strand.style.braidStart = 0.27F;
         strand.style.braidTurns = 4.3F;
         strand.style.wispOffset = {0.4F, -0.7F};
+        strand.style.frizzM = frizzM;
+        strand.style.variation = chance += 0.009F;
     }
     auto frame = makeFrame(strands);
     if (turned)

@@ -360,6 +360,7 @@ void HairPanel::addGroup(const model::HairKind& kind)
     const QString name = numbered(number);
     GroupSettings settings = model::newGroupSettings(scalpFraction());
     settings.variation = model::naturalVariation();
+    model::setNaturalEnds(settings);
     kind.apply(settings);
     const model::Result<Grown> made = m_grow(kind, m_state.document().committed().head);
     if (!made)

@@ -28,6 +28,7 @@ sim::GroupSettings settingsOf(float greatestLengthM, float stiffnessM, float vol
     settings.basisHairs = 16384; // Some 3,700 on the scalp, 4 mm apart.
     settings.greatestLengthM = greatestLengthM;
     settings.variation = model::naturalVariation();
+    model::setNaturalEnds(settings);
     settings.physics.stiffnessM = stiffnessM;
     settings.physics.volumeM = volumeM;
     return settings;

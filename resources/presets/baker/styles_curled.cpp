@@ -34,6 +34,7 @@ Style ringlets()
                     cutToLine(user, -0.13F, 0.06F);
                     user.fill(MapKind::Curl, scalar(0.66F));
                     user.fill(MapKind::Clump, scalar(0.93F));
+                    user.fill(MapKind::Frizz, scalar(0.12F));
                 }};
     style.settings.greatestCurlRadiusM = 0.018F;
     // One ringlet a basis hair.
@@ -56,6 +57,7 @@ Style afro()
                     user.fill(MapKind::Colour, colour(0xFF241712));
                     user.fill(MapKind::Curl, scalar(0.9F));
                     user.fill(MapKind::Clump, scalar(0.55F));
+                    user.fill(MapKind::Frizz, scalar(0.4F));
                     user.fill(MapKind::Gel, scalar(0.92F));
                     user.fill(MapKind::Direction, upright());
                     // Cut to a ball that leaves the face free.
