@@ -123,7 +123,7 @@ private Q_SLOTS:
         const double matte = lightestOf(drawnCoat(software, 0));
         const double natural = lightestOf(drawnCoat(software, sim::StrandStyle{}.gloss));
         const double mirror = lightestOf(drawnCoat(software, 65535));
-        QVERIFY2(mirror > natural + 6.0 && natural > matte + 6.0,
+        QVERIFY2(mirror > natural + 4.0 && natural > matte + 2.0,
                  qPrintable(QStringLiteral("%1 %2 %3").arg(matte).arg(natural).arg(mirror)));
     }
 
