@@ -1673,6 +1673,38 @@
         <source>How strongly hair keeps out of hair and moves along with it</source>
         <translation>Con qué fuerza el pelo se aparta del pelo y se mueve con él</translation>
     </message>
+    <message>
+        <source>Greatest frizz</source>
+        <translation>Encrespado máximo</translation>
+    </message>
+    <message>
+        <source>How far hair strays from its course where the frizz map is brightest</source>
+        <translation>Cuánto se aparta el pelo de su curso donde el mapa de encrespado es más claro</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Afinado</translation>
+    </message>
+    <message>
+        <source>Length over which a hair thins out to its tip; at 0 it does over all of it</source>
+        <translation>Largo en el que un pelo se afina hasta la punta; con 0 lo hace en todo su largo</translation>
+    </message>
+    <message>
+        <source>Tip colour from</source>
+        <translation>Color de puntas desde</translation>
+    </message>
+    <message>
+        <source>How far from the root the tip colour begins, of the length</source>
+        <translation>A qué distancia de la raíz empieza el color de puntas, en parte del largo</translation>
+    </message>
+    <message>
+        <source>Tip colour over</source>
+        <translation>Color de puntas a lo largo de</translation>
+    </message>
+    <message>
+        <source>How softly it begins: at 0 % in a line, at 100 % all the way to the tip</source>
+        <translation>Con qué suavidad empieza: con 0 % en una línea, con 100 % hasta la punta</translation>
+    </message>
 </context>
 <context>
     <name>Guarded</name>
@@ -2083,6 +2115,18 @@
         <source>R</source>
         <translation>O</translation>
     </message>
+    <message>
+        <source>F</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>O</source>
+        <translation>U</translation>
+    </message>
 </context>
 <context>
     <name>MapScale</name>
@@ -2164,6 +2208,18 @@
     <message>
         <source>Direction</source>
         <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Frizz</source>
+        <translation>Encrespado</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Grosor</translation>
+    </message>
+    <message>
+        <source>Gloss</source>
+        <translation>Lustre</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "sim/base/parallel.h"
 #include "sim/groom/even_subset.h"
 #include "sim/groom/strand_curve.h"
+#include "sim/groom/strand_look.h"
 
 #include <algorithm>
 #include <array>
@@ -136,6 +137,7 @@ bool CurveSet::measure(float toleranceM, const Progress& progress)
                     if (toleranceM <= 0.0F)
                         continue;
                     keptPoints(scratch.evenWo, toleranceM, indices);
+                    keepTaper(curve, indices);
                     curve.points = static_cast<std::uint32_t>(indices.size());
                     kept[piece].insert(kept[piece].end(), indices.begin(), indices.end());
                 }
@@ -152,6 +154,17 @@ bool CurveSet::measure(float toleranceM, const Progress& progress)
         m_groups[group].greatestWo = bounds[group].greatest;
     }
     return !progress || progress(1.0);
+}
+
+void CurveSet::keepTaper(const Curve& curve, std::vector<std::uint16_t>& kept) const
+{
+    const float perTaper = sim::perTaperOf(material(curve), groom(curve).style(curve.slot).lengthM);
+    if (perTaper <= 1.0F)
+        return;
+    const auto begins = static_cast<std::uint16_t>(static_cast<float>(curve.segments) * (1.0F - 1.0F / perTaper));
+    const auto at = std::ranges::lower_bound(kept, begins);
+    if (at != kept.end() && *at != begins)
+        kept.insert(at, begins);
 }
 
 void CurveSet::linkGroups()
@@ -220,7 +233,7 @@ float CurveSet::fraction(const Curve& curve, std::uint32_t i) const
 float CurveSet::opacity(const Curve& curve, float fraction) const
 {
     const sim::StrandMaterial& material = this->material(curve);
-    return glm::mix(material.rootAlpha, material.tipAlpha, fraction * fraction);
+    return sim::thinnedAt(material, sim::perTaperOf(material, groom(curve).style(curve.slot).lengthM), fraction);
 }
 
 float CurveSet::width(const Curve& curve, float fraction) const
@@ -232,9 +245,10 @@ glm::vec3 CurveSet::linearColour(const Curve& curve, float fraction) const
 {
     const sim::StrandStyle& style = groom(curve).style(curve.slot);
     const std::array<float, kChannelValues>& linear = linearValues();
+    const float tip = sim::tipMixOf(material(curve)).at(fraction);
     const auto channel = [&](unsigned shift) {
         return glm::mix(linear[(style.rootColour >> shift) & kChannelMask],
-                        linear[(style.tipColour >> shift) & kChannelMask], fraction);
+                        linear[(style.tipColour >> shift) & kChannelMask], tip);
     };
     return {channel(0), channel(8), channel(16)};
 }
@@ -255,6 +269,11 @@ float CurveSet::lightness(const Curve& curve) const
 {
     constexpr float kStops = 3.0F; // As the hair is drawn on the screen.
     return std::exp2(kStops * groom(curve).style(curve.slot).variation * material(curve).colourVariation);
+}
+
+float CurveSet::roughness(const Curve& curve) const
+{
+    return sim::roughnessOf(material(curve), groom(curve).style(curve.slot).gloss);
 }
 
 std::uint32_t CurveSet::id(const Curve& curve) const

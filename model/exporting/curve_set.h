@@ -100,6 +100,8 @@ public:
     [[nodiscard]] glm::vec3 linearColour(const Curve& curve, float fraction) const;
     /// The same in sRGB as encoded. A channel that is equal at root and tip keeps its exact value.
     [[nodiscard]] glm::vec3 encodedColour(const Curve& curve, float fraction) const;
+    /// Of its highlights, as the group's settings and the gloss map have it.
+    [[nodiscard]] float roughness(const Curve& curve) const;
     /// This hair's own lightness, about 1, for linear light: the colours above are without it.
     [[nodiscard]] float lightness(const Curve& curve) const;
     [[nodiscard]] std::uint32_t id(const Curve& curve) const;
@@ -117,6 +119,8 @@ private:
     CurveSet() = default;
     void addCurves(const CurveOptions& options);
     [[nodiscard]] bool measure(float toleranceM, const Progress& progress);
+    /// Adds the point where the hair begins to thin out: widths are known at points alone.
+    void keepTaper(const Curve& curve, std::vector<std::uint16_t>& kept) const;
     void linkGroups();
 
     [[nodiscard]] const sim::Groom& groom(const Curve& curve) const { return *m_grooms[curve.group]; }

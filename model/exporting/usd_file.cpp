@@ -240,9 +240,17 @@ private:
         writeConstant("int[] primvars:groom_guide", guide ? "1" : "0");
         writeConstant("int[] primvars:groom_group_id", std::to_string(number));
         writeConstant("string[] primvars:groom_group_name", quoted(group.name));
-        std::string roughness;
-        appendNumber(roughness, m_set.material(curves.front()).roughness);
-        writeConstant("float[] primvars:groom_roughness", roughness);
+        const auto differs = [&](const Curve& curve) {
+            return m_set.roughness(curve) != m_set.roughness(curves.front());
+        };
+        if (std::ranges::any_of(curves, differs)) {
+            perCurve("float[] primvars:groom_roughness", 1.0,
+                     [this](const Curve& curve, std::string& out) { appendNumber(out, m_set.roughness(curve)); });
+        } else {
+            std::string roughness;
+            appendNumber(roughness, m_set.roughness(curves.front()));
+            writeConstant("float[] primvars:groom_roughness", roughness);
+        }
     }
 
     const CurveSet& m_set;

@@ -156,6 +156,9 @@ constexpr GroupSetting kSettings[] = {
     {"variation.parting_m", &VariationSettings::parting, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Loose parting"),
      QT_TRANSLATE_NOOP("GroupSchema", "How far from a parting hairs still cross it"),
      QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.01, 0.0, 10.0, 1},
+    {"greatest_frizz_m", &GroupSettings::greatestFrizzM, kShape, QT_TRANSLATE_NOOP("GroupSchema", "Greatest frizz"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How far hair strays from its course where the frizz map is brightest"),
+     QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.05, 0.0, 20.0, 1, 2.0F},
     {"braid_spacing_m", &GroupSettings::braidSpacingM, kBraid, QT_TRANSLATE_NOOP("GroupSchema", "Spacing"),
      QT_TRANSLATE_NOOP("GroupSchema", "Distance between braids in one painted patch"),
      QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.005, 2.0, 0.5, 60.0, 1, 2.0F},
@@ -197,6 +200,15 @@ constexpr GroupSetting kSettings[] = {
      0.0, 100.0},
     {"material.tip_alpha", &StrandMaterial::tipAlpha, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Opacity at the tip"),
      QT_TRANSLATE_NOOP("GroupSchema", "Less makes hair thin out"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
+    {"material.taper_m", &StrandMaterial::taperM, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Taper"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Length over which a hair thins out to its tip; at 0 it does over all of it"),
+     QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.5, 0.0, 100.0, 0, 2.0F},
+    {"material.tip_from", &StrandMaterial::tipFrom, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Tip colour from"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How far from the root the tip colour begins, of the length"), "%", 100.0, 0.0,
+     1.0, 0.0, 100.0},
+    {"material.tip_over", &StrandMaterial::tipOver, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Tip colour over"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How softly it begins: at 0 % in a line, at 100 % all the way to the tip"), "%",
+     100.0, 0.0, 1.0, 0.0, 100.0},
     {"material.root_alpha", &StrandMaterial::rootAlpha, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Opacity at the root"),
      QT_TRANSLATE_NOOP("GroupSchema", "Less lets the skin show through"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
 };
@@ -271,6 +283,7 @@ void makeNatural(GroupSettings& settings)
     settings.physics.volumeRiseM = 0.05F;
     settings.physics.body = 0.5F;
     settings.material.scalpTint = 0.8F;
+    settings.material.taperM = 0.012F; // Cut hair ends: it thins out over its last centimetre alone.
 }
 
 GroupSettings newGroupSettings(double scalpFraction)

@@ -21,6 +21,9 @@ constexpr double kShortGroupM = 0.03; ///< Groups with shorter hair are measured
 constexpr double kCoilsPerM = 0.1;    ///< The length that turns of coils are counted over.
 constexpr double kSparse = 20.0;      ///< Hairs a square centimetre, of which tenths count.
 
+constexpr double kLeastWidth = 30.0; ///< Per cent of the group's, as sim::widthOf has it.
+constexpr double kMostWidth = 170.0;
+
 constexpr std::array kTurnSteps{0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 
 struct Units
@@ -45,6 +48,11 @@ double greatestRadiusMm(const GroupSettings& settings)
     return static_cast<double>(settings.turnsMode == sim::TurnsMode::Coils ? settings.curl.diameterM
                                                                            : settings.greatestCurlRadiusM) *
            1000.0;
+}
+
+double greatestFrizzMm(const GroupSettings& settings)
+{
+    return static_cast<double>(settings.greatestFrizzM) * 1000.0;
 }
 
 double lengthScale(const GroupSettings& settings)
@@ -133,6 +141,22 @@ const MapScale kRadiusScale{
             const double greatest = greatestRadiusMm(settings);
             return greatest > 0.0 ? shown / greatest : 0.0;
         }};
+
+const MapScale kFrizzScale{
+    .unit = [](const GroupSettings&) { return Units::tr("mm"); },
+    .decimals = always<1>,
+    .shown = [](const GroupSettings& settings, double value) { return value * greatestFrizzMm(settings); },
+    .value =
+        [](const GroupSettings& settings, double shown) {
+            const double greatest = greatestFrizzMm(settings);
+            return greatest > 0.0 ? shown / greatest : 0.0;
+        }};
+
+const MapScale kWidthScale{
+    .unit = [](const GroupSettings&) { return QStringLiteral("%"); },
+    .decimals = always<0>,
+    .shown = [](const GroupSettings&, double value) { return kLeastWidth + (kMostWidth - kLeastWidth) * value; },
+    .value = [](const GroupSettings&, double shown) { return (shown - kLeastWidth) / (kMostWidth - kLeastWidth); }};
 
 const MapScale kPercentScale{.unit = [](const GroupSettings&) { return QStringLiteral("%"); },
                              .decimals = always<0>,

@@ -31,6 +31,8 @@ extern const MapScale kDensityScale; ///< Hairs a square centimetre.
 extern const MapScale kLengthScale;  ///< Centimetres; of short hair millimetres.
 extern const MapScale kTurnsScale;   ///< The paper's table 1.
 extern const MapScale kRadiusScale;  ///< Of curls, millimetres.
+extern const MapScale kFrizzScale;   ///< How far hair strays, millimetres.
+extern const MapScale kWidthScale;   ///< Per cent of the group's hair width, 30 to 170.
 extern const MapScale kPercentScale; ///< Per cent.
 
 } // namespace hairpaint::model

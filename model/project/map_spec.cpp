@@ -112,6 +112,28 @@ std::array<MapSpec, kMapKindCount> makeTable()
                 .scaleColour = 0xFF8080FF, // Of hair that stands upright.
                 .blendModes = kReplacing,
                 .ofHead = [](const Head& head) { return head.naturalDirection; }},
+        MapSpec{.kind = MapKind::Frizz,
+                .id = "frizz",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Frizz"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "F"),
+                .scale = &kFrizzScale,
+                .scaleColour = 0xFF8000FF, // Violet.
+                .blendModes = kBlendable,
+                .firstPaint = {.scalar = 0.5F}},
+        MapSpec{.kind = MapKind::Width,
+                .id = "width",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Width"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "W"),
+                .scale = &kWidthScale,
+                .scaleColour = 0xFF964B00, // Brown.
+                .blendModes = kBlendable},
+        MapSpec{.kind = MapKind::Gloss,
+                .id = "gloss",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Gloss"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "O"),
+                .scale = &kPercentScale,
+                .scaleColour = 0xFFFF0080, // Rose.
+                .blendModes = kBlendable},
     };
     for (MapSpec& spec : rows) {
         spec.valueChannels = sim::ruleOf(spec.kind).channels;
@@ -180,33 +202,34 @@ QRgb scaleToColour(const MapSpec& spec, float value, bool nightPaper)
     return qRgb(mixed[0], mixed[1], mixed[2]);
 }
 
-/// How far the channels that the full colour has less of lie below those it has whole, in parts of what they do at 1.
+/// How far the channels that the full colour has less of lie below those it has most of, in parts of what they do at 1.
 /// For green that is G - max(R, B), for yellow min(R, G) - B, for orange min(R - B, 2 (R - G)).
 float colourToScale(const MapSpec& spec, float red, float green, float blue)
 {
-    constexpr float kWhole = 0.9F;
+    constexpr float kWhole = 0.9F; ///< Of the most that the colour has of a channel; brown has little of all.
     const std::array<float, 3> full = channelsOf(spec.scaleColour);
     const std::array<float, 3> read{red, green, blue};
+    const float most = std::max({full[0], full[1], full[2]});
     float least = 1.0F;
     for (std::size_t i = 0; i < 3; ++i)
-        if (full[i] > kWhole)
+        if (full[i] > kWhole * most)
             least = std::min(least, read[i]);
     // What a channel does at 1 is also how exactly it tells: two that agree within a step of eight bits leave it to the
     // one that does more.
-    constexpr float kAgreement = 1.5F / 255.0F;
+    const float agreement = (most > kWhole ? 1.5F : 3.0F / most) / 255.0F;
     float value = 1.0F;
     float exact = 1.0F;
     float greatest = 0.0F;
     for (std::size_t i = 0; i < 3; ++i) {
-        if (full[i] > kWhole)
+        if (full[i] > kWhole * most)
             continue;
-        const float span = 1.0F - full[i];
+        const float span = most - full[i];
         const float told = (least - read[i]) / span;
         value = std::min(value, told);
         exact = span > greatest + 0.1F ? told : span > greatest - 0.1F ? std::min(exact, told) : exact;
         greatest = std::max(greatest, span);
     }
-    if (exact - value < kAgreement)
+    if (exact - value < agreement)
         value = exact;
     return std::max(value, 0.0F);
 }

@@ -39,12 +39,14 @@ constexpr std::array kKinds{
              [](GroupSettings& settings) {
                  settings.physics.body = 0.0F; // It stands alone.
                  putShort(settings, {0.012F, 1.8e6F, 70e-6F, 0.001F, 0.045F});
+                 settings.material.taperM = 0.0F; // Never cut.
              },
              true},
     HairKind{"Lashes", QT_TRANSLATE_NOOP("HairKinds", "Lashes"),
              [](GroupSettings& settings) {
                  settings.physics.body = 0.0F;
                  putShort(settings, {0.010F, 1.0e6F, 100e-6F, 0.0005F, 0.06F});
+                 settings.material.taperM = 0.0F;
                  settings.material.tipAlpha = 0.8F;
              },
              true},

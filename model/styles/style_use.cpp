@@ -19,31 +19,18 @@ namespace {
 constexpr QLatin1StringView kScalp("Scalp"); ///< A HairKind's name.
 
 constexpr std::array kColourMaps{MapKind::Colour, MapKind::TipColour};
-constexpr std::array kColourSettings{"material.colour_variation", "variation.grey"};
+constexpr std::array kColourSettings{"material.colour_variation", "variation.grey", "material.tip_from",
+                                     "material.tip_over"};
 constexpr std::array kCutMaps{MapKind::Density, MapKind::Length};
 constexpr std::array kCutSettings{"greatest_length_m", "shortest_length_m", "greatest_density_per_m2",
-                                  "variation.length"};
-constexpr std::array kCurlMaps{MapKind::Curl, MapKind::CurlSize, MapKind::Clump};
-constexpr std::array kCurlSettings{"greatest_curl_radius_m",
-                                   "turns_mode",
-                                   "turns_per_length_m",
-                                   "stepped_turns",
-                                   "variation.curl",
-                                   "curl.diameter_m",
-                                   "curl.pitch_m",
-                                   "curl.flatness",
-                                   "curl.in_step_from_m",
-                                   "curl.switchbacks_per_m",
-                                   "curl.skips",
-                                   "curl.uncoil",
-                                   "curl.length_as_cut",
-                                   "curl.gather",
-                                   "locks.size_m",
-                                   "locks.small",
-                                   "locks.flatness",
-                                   "locks.twists_per_m",
-                                   "locks.ragged",
-                                   "locks.parting"};
+                                  "variation.length", "material.taper_m"};
+constexpr std::array kCurlMaps{MapKind::Curl, MapKind::CurlSize, MapKind::Clump, MapKind::Frizz};
+constexpr std::array kCurlSettings{
+    "greatest_curl_radius_m", "turns_mode",      "turns_per_length_m", "stepped_turns",      "variation.curl",
+    "greatest_frizz_m",       "curl.diameter_m", "curl.pitch_m",       "curl.flatness",      "curl.in_step_from_m",
+    "curl.switchbacks_per_m", "curl.skips",      "curl.uncoil",        "curl.length_as_cut", "curl.gather",
+    "locks.size_m",           "locks.small",     "locks.flatness",     "locks.twists_per_m", "locks.ragged",
+    "locks.parting"};
 
 constexpr std::array kParts{
     StylePartSpec{.part = StylePart::All,

@@ -16,7 +16,7 @@ void main()
     vec4 placeWo = woFromHd * vec4(placeHd, 1.0);
     vec3 colour = clamp(hairColour, 0.004, 1.0);
     HairPoint point = HairPoint(placeWo.xyz + kRound * (turn * normalHd), turn * tangentHd, colour, fibreDepth(colour),
-                                0.0, crossed, crossed, crossed);
+                                0.0, crossed, crossed, crossed, 1.0, 1.0);
     light = hairLight(point, material.x, material.y) / colour;
     uv = cornerUv;
     gl_Position = projectionFromWo * placeWo;

@@ -91,3 +91,16 @@ float unitHash(uint x)
 {
     return float(hashOf(x) >> 8) * (1.0 / 16777216.0);
 }
+
+// How many times as long as its taper a strand is, at least 1: it thins out over the last part of that.
+float perTaperOf(float lengthM, float taperM)
+{
+    return taperM > 0.0 ? max(lengthM / taperM, 1.0) : 1.0;
+}
+
+// Of the strand at point j of so many segments: evenly, but the one before the tip not before the taper begins.
+float fractionOf(int j, int segments, float perTaper)
+{
+    float s = float(j) / float(segments);
+    return perTaper > 1.0 && segments > 2 && j + 1 == segments ? max(s, 1.0 - 1.0 / perTaper) : s;
+}

@@ -94,11 +94,11 @@ float eighthPower(float x)
     return x * x;
 }
 
-FibreLobes marschner(FibreShape shape, FibreAngles at, vec3 depth, float jitter)
+FibreLobes marschner(FibreShape shape, FibreAngles at, vec3 depth, float jitter, float sharpness)
 {
     float perCosD = 1.0 / at.cosD;
-    vec3 off = (at.sinI + at.sinO) * perCosD + jitter - shape.shift;
-    vec3 longitudinal = exp2(max(off * off * shape.exponent, -20.0)) * shape.peak * perCosD;
+    vec3 off = ((at.sinI + at.sinO) * perCosD + jitter - shape.shift) * sharpness;
+    vec3 longitudinal = exp2(max(off * off * shape.exponent, -20.0)) * shape.peak * (perCosD * sharpness);
     float toward = 0.5 + 0.5 * at.cosPhi;
     float cosHalf = sqrt(toward);
     float sinSquare = 1.0 - at.cosD * at.cosD;
@@ -159,6 +159,8 @@ struct HairPoint
     vec3 depth;
     float turned; // turnedBy() of this hair.
     float towardKey, towardEye, towardRim;
+    float shine;     // This hair's own, of the group's;
+    float sharpness; // how many times as sharp as the group's its highlights are.
 };
 
 // By how much a fibre's lobes stand elsewhere than those of its neighbours; see hair_light_inl.h.
@@ -185,11 +187,12 @@ vec3 lightOf(int lobeSet, vec3 toward, vec3 lampColour, HairPoint point, vec3 vi
     float wrap = clamp(dot(normal, toward) * 0.62 + 0.38, 0.0, 1.0);
     float facing = 0.1 + 0.9 * wrap * wrap;
     float deviation = 0.02 + 0.18 * roughness;
-    float exponent = 1.0 / (deviation * deviation);
+    float exponent = point.sharpness * point.sharpness / (deviation * deviation);
+    shine *= point.shine;
     int scattering = int(keyWo.w);
     vec3 lit;
     if (scattering == kMarschner) {
-        FibreLobes lobes = marschner(fibreShape(roughness), at, point.depth, point.turned);
+        FibreLobes lobes = marschner(fibreShape(roughness), at, point.depth, point.turned, point.sharpness);
         float front = shine * passed.w * kPi;
         lit = point.colour * passed.rgb * ((0.35 + 0.65 * at.cosI) * facing * kCoat) +
               lobes.r * front * (lobeSet == kForward ? kForwardPart : 1.0);

@@ -17,6 +17,7 @@ uniform int nodes;
 uniform int isCoiled; // Curls by sim::CurlSettings, else by equation 1.
 uniform vec4 coil;    // Its inStepFromM, switchbacksPerM, skips, flatness,
 uniform float uncoil; // and uncoil.
+uniform float taperM; // Of the group's material.
 
 vec3 node(uint slot, int k)
 {
@@ -118,8 +119,10 @@ void main()
     float braidStart = styles[slot].braidStart;
     bool isBraided = (styles[slot].braid & 0xFFu) != 0u && braidStart < 1.0;
     bool isCurled = turns > 0.0 && radius > 0.0;
+    bool isFrizzy = styles[slot].frizzM > 0.0;
+    Frizz frizz = frizzOf(styles[slot].frizzM, styles[slot].lengthM);
     vec3 rootTangent = mat3(woFromHd) * unpackDirection(styles[slot].tangentHd);
-    float inverseSegments = 1.0 / float(segments);
+    float perTaper = perTaperOf(styles[slot].lengthM, taperM);
 
     int k = 0;
     vec3 p1 = node(slot, 0);
@@ -132,7 +135,7 @@ void main()
     int sharedNode = int(braidStart * float(nodes - 1) + 0.5) + 1; // The node from which on all hairs of a braid run alike.
     bool isFramed = !isBraided || sharedNode > nodes - 1;          // As it will be.
     for (int j = 0; j <= segments; ++j) {
-        float s = float(j) * inverseSegments;
+        float s = fractionOf(j, segments, perTaper);
         float u = s * float(nodes - 1);
         int segment = min(int(u), nodes - 2);
         while (k < segment) {
@@ -170,11 +173,15 @@ void main()
         } else if (isCurled) {
             vec3 offset;
             if (isCoiled != 0)
-                offset = coilOffset(CoiledHair(turns, radius, phase, styles[slot].variation, styles[slot].braidRadiusM),
+                offset = coilOffset(CoiledHair(turns, radius, phase, styles[slot].variation, styles[slot].lengthM),
                                     CoilTraits(coil.x, coil.y, coil.z, coil.w, uncoil), s);
             else
                 offset = curlOffset(phase + 2.0 * kPi * turns * s) * curlRadius(radius, s);
             point += reference * offset.x + cross(tangent, reference) * offset.y + tangent * offset.z;
+        }
+        if (isFrizzy) {
+            vec3 offset = frizzOffset(frizz, styles[slot].variation, s);
+            point += reference * offset.x + cross(tangent, reference) * offset.y;
         }
         pointsWo[first + uint(j)] = vec4(point, uintBitsToFloat(strand));
     }

@@ -20,12 +20,16 @@ struct PackedStyle
     uint tipColour;
     float width;
     uint braid; // sim::BraidKind; bits 8 and 9 the wisp.
-    float braidRadiusM; // Of a hair that is not braided: its length.
+    float braidRadiusM;
     float braidStart;
     float braidTurns;
     float wispOffsetX;
     float wispOffsetY;
     float variation;
     float order;    // 0..1: hairs of a low one stand for the others where not all are drawn.
+    float lengthM;
+    float frizzM;
+    float shine;     // Of the group's, as its gloss has it,
+    float sharpness; // and of how sharp the highlights are.
     uint tangentHd; // A unit vector in an octahedron's two coordinates, as unpackSnorm2x16 reads them.
 };

@@ -18,6 +18,8 @@ uniform float deepFraction;  // and of those where others hide them.
 uniform float undrawnCoverings;
 uniform bool inEveryColumn;  // Those lie in each of the columns around, not only between them.
 uniform vec4 material;       // Shine, roughness, alpha at root and tip.
+uniform float taperM;        // Over which a hair thins out to its tip; 0: over all of it.
+uniform vec2 tipMix;         // Scale and offset: the tip colour's part by the fraction of the length.
 uniform float groupWidthM;   // Diameter of a hair whose width is 1.
 uniform float variationScale;
 
@@ -60,7 +62,8 @@ void main()
     uint first = strands[strand].firstPoint - base;
     uint last = strands[strand + 1u].firstPoint - base - 1u;
     uint slot = strands[strand].slot;
-    float s = float(i - first) / float(last - first);
+    float perTaper = perTaperOf(styles[slot].lengthM, taperM);
+    float s = fractionOf(int(i - first), int(last - first), perTaper);
     vec3 position = self.xyz;
     vec3 along = pointsWo[min(i + 1u, last)].xyz - pointsWo[max(i, first + 1u) - 1u].xyz;
     vec3 tangent = along * inversesqrt(max(dot(along, along), 1e-20));
@@ -85,7 +88,8 @@ void main()
     float drawn = mix(fraction, fraction * deepFraction, smoothstep(kDeepFrom, kDeepTo, further));
     float kept = clamp((1.0 + kFadingPart - styles[slot].order / drawn) / kFadingPart, 0.0, 1.0);
     float widthM = styles[slot].width * groupWidthM * kept / min(drawn * (1.0 + 0.5 * kFadingPart), 1.0);
-    float width = widthM * gridSize.z / max(clip.w, kNearestDrawnM) * mix(material.z, material.w, s * s);
+    float thinning = max(s * perTaper + (1.0 - perTaper), 0.0);
+    float width = widthM * gridSize.z / max(clip.w, kNearestDrawnM) * mix(material.z, material.w, thinning * thinning);
     width = min(width, kGreatestWidth) * min(slant, kMostSlant);
     float before = inEveryColumn ? inColumnWithLeast(seen) : towardEye;
     width = clip.w > kNearestDrawnM && before < undrawnCoverings ? width : 0.0;
@@ -95,9 +99,10 @@ void main()
     float lightness = exp2(variation * variationScale * 3.0);
     vec3 rootColour = colourFromBytes(styles[slot].rootColour) * lightness;
     vec3 tipColour = colourFromBytes(styles[slot].tipColour) * lightness;
-    HairPoint point = HairPoint(position, tangent, mix(lightShownAs(rootColour), lightShownAs(tipColour), s),
-                                mix(fibreDepth(rootColour), fibreDepth(tipColour), s), turnedBy(variation), towardKey, towardEye,
-                                max(column - towardEye, 0.0));
+    float tip = clamp(s * tipMix.x + tipMix.y, 0.0, 1.0);
+    HairPoint point = HairPoint(position, tangent, mix(lightShownAs(rootColour), lightShownAs(tipColour), tip),
+                                mix(fibreDepth(rootColour), fibreDepth(tipColour), tip), turnedBy(variation), towardKey,
+                                towardEye, max(column - towardEye, 0.0), styles[slot].shine, styles[slot].sharpness);
     vec3 lit = hairLight(point, material.x, material.y);
 
     uint depth = uint(clamp(depthOf(clip.w), 0.0, 65535.0));

@@ -99,13 +99,13 @@ public:
         m_waiting = 0;
     }
 
-    /// Of a hair that else stays as it is.
-    void colour(std::uint32_t slot)
+    /// Of a hair that lies as it did.
+    void look(std::uint32_t slot)
     {
         const RootSet& roots = m_inputs.roots;
-        setColours(coloursAt(m_inputs.maps, roots.uv[slot]),
-                   variationOf(m_inputs.settings.variation, roots.seed, roots.rankOfSlot[slot]),
-                   m_chunk.styles[slot - m_firstSlot]);
+        setLook(m_inputs.settings, lookAt(m_inputs.maps, roots.uv[slot]),
+                variationOf(m_inputs.settings.variation, roots.seed, roots.rankOfSlot[slot]),
+                m_chunk.styles[slot - m_firstSlot]);
     }
 
     void clear(std::uint32_t slot)
@@ -313,7 +313,7 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
     ChunkWriter writer(inputs, chunkIndex, *chunk, passed);
     dirty.look.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
         if (chunk->hairs[slot - firstSlot] && !dirty.hairs.contains(slot))
-            writer.colour(slot);
+            writer.look(slot);
     });
     dirty.hairs.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
         const std::size_t local = slot - firstSlot;

@@ -45,4 +45,13 @@ inline constexpr float kTieFraction = 0.05F;
 inline constexpr float kTieBraidFraction = 0.25F;
 inline constexpr float kTieWispFraction = 0.6F;
 
+/// Frizz: a hair strays by no more than this fraction of its length, and once in so many metres and so many times as it
+/// strays far, so that its length stays within some per cent of its skeleton's.
+inline constexpr float kMostFrizzFraction = 0.1F;
+inline constexpr float kFrizzWaveM = 0.015F;
+inline constexpr float kFrizzWaveRadii = 10.0F;
+/// The finer wave on it, in waves of the first, and its part of the whole.
+inline constexpr float kFrizzFiner = 2.3F;
+inline constexpr float kFrizzFinePart = 0.4F;
+
 } // namespace hairpaint::sim

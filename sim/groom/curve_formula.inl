@@ -241,3 +241,29 @@ CURVE_FUNCTION Vec3 braidedOffset(BraidedHair hair, BraidGirth girth, WispPath p
                   0.0F - (x * along.x * along.y + y * along.z) / aside * squash - shorter,
                   path.z * girth.pathM + (y * along.y - x * along.x * along.z) / aside);
 }
+
+// Frizz: noise along the strand that is 0 at the root and grows to the tip.
+struct Frizz
+{
+    Num radiusM; // At the tip, at most.
+    Num waveRad; // Over the whole strand.
+};
+
+CURVE_FUNCTION Frizz frizzOf(Num frizzM, Num lengthM)
+{
+    Frizz frizz;
+    frizz.radiusM = least(frizzM, lengthM * kMostFrizzFraction);
+    frizz.waveRad = lengthM * 6.28318531F / (frizz.radiusM * kFrizzWaveRadii + kFrizzWaveM);
+    return frizz;
+}
+
+// From the strand's course at fraction s, along the frame's first axis and across it. `chance` is the hair's own, -1..1.
+CURVE_FUNCTION Vec3 frizzOffset(Frizz frizz, Num chance, Num s)
+{
+    Num angle = frizz.waveRad * s + chance * 47.0F;
+    Num x = sinOf(angle) * (1.0F - kFrizzFinePart) + sinOf(angle * kFrizzFiner + chance * 29.0F) * kFrizzFinePart;
+    Num other = frizz.waveRad * s * 1.13F - chance * 71.0F;
+    Num y = cosOf(other) * (1.0F - kFrizzFinePart) + cosOf(other * kFrizzFiner + chance * 17.0F) * kFrizzFinePart;
+    Num reachM = frizz.radiusM * s * 0.70710678F;
+    return vec3Of(x * reachM, y * reachM, 0.0F);
+}

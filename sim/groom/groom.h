@@ -42,7 +42,9 @@ struct StrandStyle
     glm::vec2 wispOffset{0.0F}; ///< Position inside the wisp, in units of the wisp's radius.
     float variation = 0.0F;     ///< -1..1, this hair's own lightness.
     BraidKind braid = BraidKind::None;
-    std::uint8_t wisp = 0; ///< 0..2
+    std::uint8_t wisp = 0;                                        ///< 0..2
+    std::uint16_t gloss = ruleOf(MapSlot::Gloss).defaultValue[0]; ///< The gloss map's: 65535 is 1.
+    float frizzM = 0.0F; ///< How far it strays from its course at the tip, at most; a short one less.
 };
 
 /// 1024 slots. Hd, m.

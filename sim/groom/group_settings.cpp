@@ -25,6 +25,7 @@ constexpr SettingEffect kSettingEffects[] = {
     {&GroupSettings::steppedTurns, Affects::Hairs},
     {&GroupSettings::turnsPerLengthM, Affects::Hairs},
     {&GroupSettings::greatestCurlRadiusM, Affects::Hairs},
+    {&GroupSettings::greatestFrizzM, Affects::Hairs},
     {&GroupSettings::braidSpacingM, Affects::Hairs},
     {&GroupSettings::braidRadiusM, Affects::Hairs},
     {&GroupSettings::lengthAsCut, Affects::Hairs},
@@ -65,6 +66,9 @@ constexpr SettingEffect kSettingEffects[] = {
     {&StrandMaterial::tipAlpha, Affects::Look},
     {&StrandMaterial::colourVariation, Affects::Look},
     {&StrandMaterial::scalpTint, Affects::Look},
+    {&StrandMaterial::taperM, Affects::Look},
+    {&StrandMaterial::tipFrom, Affects::Look},
+    {&StrandMaterial::tipOver, Affects::Look},
 };
 
 /// The part of the settings that a member belongs to.

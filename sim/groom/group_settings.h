@@ -27,7 +27,7 @@ struct PhysicsSettings
     /// m, 0..0.2: the length of hair from the root along which the coat gains its thickness, so that a parting is no
     /// groove; hair that is short gains it sooner. At 0 as steeply as hair bends.
     float volumeRiseM = 0.0F;
-    float body = 0.0F;      ///< 0..1: how strongly hair keeps out of hair and moves along with it; 0: it does neither.
+    float body = 0.0F; ///< 0..1: how strongly hair keeps out of hair and moves along with it; 0: it does neither.
     friend bool operator==(const PhysicsSettings&, const PhysicsSettings&) = default;
 };
 
@@ -41,6 +41,9 @@ struct StrandMaterial
     float tipAlpha = 0.35F;        ///< 0..1: strands thin out to the tip.
     float colourVariation = 0.12F; ///< 0..1: difference in lightness between neighbouring hairs.
     float scalpTint = 0.0F;        ///< 0..1: how much its roots, where they are dense, colour the skin.
+    float taperM = 0.0F;  ///< m, 0..0.5: last length over which a hair thins out to its tip; 0: over all of it.
+    float tipFrom = 0.0F; ///< 0..1 of the length: up to there a hair has its root's colour;
+    float tipOver = 1.0F; ///< 0..1 of the rest: over that much it passes to its tip's.
     friend bool operator==(const StrandMaterial&, const StrandMaterial&) = default;
 };
 
@@ -101,6 +104,7 @@ struct GroupSettings
     bool steppedTurns = false;          ///< Table 1's levels only.
     float turnsPerLengthM = 0.10F;      ///< With PerLength: the length that table 1's turns are for.
     float greatestCurlRadiusM = 0.012F; ///< A curl-size value of 1.
+    float greatestFrizzM = 0.004F;      ///< 0..0.05: how far a hair strays, at most, where the frizz map is 1.
     float braidSpacingM = 0.30F;        ///< Distance of braid centres within one painted region.
     float braidRadiusM = 0.014F;        ///< Radius r of equation 3.
     bool lengthAsCut = false;           ///< With Coils: the length map is the fibre's, which its curl shortens.

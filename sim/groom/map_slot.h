@@ -22,7 +22,10 @@ enum class MapSlot : std::uint8_t
     TipColour,
     Clump,
     Gel,
-    Direction
+    Direction,
+    Frizz,
+    Width,
+    Gloss
 };
 
 enum class MapSampling : std::uint8_t
@@ -36,7 +39,7 @@ struct MapEffect
 {
     bool hairs = false; ///< Which candidates are hairs, and their rest shapes and styles.
     bool basis = false; ///< The solved hairs' own shapes.
-    bool look = false;  ///< The colours of styles alone.
+    bool look = false;  ///< Styles alone: what hairs look like, not where they lie.
     friend bool operator==(const MapEffect&, const MapEffect&) = default;
 };
 
@@ -69,6 +72,9 @@ inline constexpr std::array kMapRules{
             .channels = 2,
             .effect = {.hairs = true, .basis = true},
             .defaultValue = {32768, 32768}}, // Upright; direction_texel.h says how vectors are stored.
+    MapRule{.slot = MapSlot::Frizz, .effect = {.look = true}},
+    MapRule{.slot = MapSlot::Width, .effect = {.look = true}, .defaultValue = {32768}},
+    MapRule{.slot = MapSlot::Gloss, .effect = {.look = true}, .defaultValue = {32768}},
 };
 inline constexpr std::size_t kMapSlotCount = kMapRules.size();
 

@@ -151,6 +151,12 @@ glm::vec3 braidOffset(float t, float w)
     return {path.x, 0.0F, path.z};
 }
 
+FrizzOfStyle frizzOf(const StrandStyle& style)
+{
+    const of_floats::Frizz frizz = of_floats::frizzOf(style.frizzM, style.lengthM);
+    return {.radiusM = frizz.radiusM, .waveRad = frizz.waveRad};
+}
+
 int curveSegmentsOf(const StrandStyle& style, const CurlSettings* coils)
 {
     float segments = 0.0F;
@@ -160,6 +166,8 @@ int curveSegmentsOf(const StrandStyle& style, const CurlSettings* coils)
     if (style.braid != BraidKind::None)
         segments =
             std::max(segments, style.braidTurns * 2.0F * kPointsPerTurn / std::max(1.0F - style.braidStart, 0.1F));
+    if (style.frizzM > 0.0F)
+        segments = std::max(segments, frizzOf(style).waveRad / glm::two_pi<float>() * kFrizzFiner * kPointsPerTurn);
     return static_cast<int>(std::ceil(std::clamp(segments, 0.0F, coils != nullptr ? kMostOfCoils : kMostSegments)));
 }
 
@@ -194,6 +202,7 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
     const std::size_t last = skeletonHd.size() - 1;
     const bool isCurled = style.turns > 0.0F && style.curlRadiusM > 0.0F;
     const bool isBraided = style.braid != BraidKind::None && style.braidStart < 1.0F;
+    const of_floats::Frizz frizz = of_floats::frizzOf(style.frizzM, style.lengthM);
     glm::vec3 lastPoint = skeletonHd[0];
     // Only where the skeleton has no direction at all.
     glm::vec3 lastTangent = of_floats::across(glm::vec3(0.0F), rootTangentHd);
@@ -239,6 +248,10 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
             const glm::vec3 offset = curlOffset(style.phase + glm::two_pi<float>() * style.turns * s) *
                                      of_floats::curlRadius(style.curlRadiusM, s);
             point += reference * offset.x + glm::cross(tangent, reference) * offset.y + tangent * offset.z;
+        }
+        if (style.frizzM > 0.0F) {
+            const glm::vec3 offset = of_floats::frizzOffset(frizz, style.variation, s);
+            point += reference * offset.x + glm::cross(tangent, reference) * offset.y;
         }
         pointsHd.push_back(point);
     }

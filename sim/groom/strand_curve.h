@@ -18,7 +18,15 @@ namespace hairpaint::sim {
 /// Equation 3 without its linear part, for wisp offset w: (cos(t + w), 0, sin(2(t + w))), in units of r.
 [[nodiscard]] glm::vec3 braidOffset(float t, float w);
 
-/// Segments that a style's curl and braid ask for: at least 8 points a turn; 0..256, with coils 0..1024, 0 for a
+/// How far a style's frizz strays at its tip, and its waves over the whole hair, rad.
+struct FrizzOfStyle
+{
+    float radiusM = 0.0F;
+    float waveRad = 0.0F;
+};
+[[nodiscard]] FrizzOfStyle frizzOf(const StrandStyle& style);
+
+/// Segments that a style's curl, braid and frizz ask for: at least 8 points a turn; 0..256, with coils 0..1024, 0 for a
 /// straight hair.
 [[nodiscard]] int curveSegmentsOf(const StrandStyle& style, const CurlSettings* coils = nullptr);
 /// The same, and at least two a skeleton's segment.

@@ -27,6 +27,12 @@ std::uint32_t packColour(glm::vec3 encoded)
     return 0xFF000000U | (byteOf(encoded.z) << 16U) | (byteOf(encoded.y) << 8U) | byteOf(encoded.x);
 }
 
+std::uint16_t sixteenBits(float value)
+{
+    // Not negative, so that the cast rounds down. NOLINTNEXTLINE(bugprone-incorrect-roundings)
+    return static_cast<std::uint16_t>(std::clamp(value, 0.0F, 1.0F) * 65535.0F + 0.5F);
+}
+
 /// Uniform over the unit disc, by rejection from the square.
 glm::vec2 pointInDisc(std::uint64_t hash)
 {
@@ -81,12 +87,15 @@ LayRoot layRootOf(const GroupSettings& settings, const RootSet& roots, std::uint
             .liftM = liftM};
 }
 
-RootColours coloursAt(const MapSamplers& maps, glm::vec2 uv)
+RootLook lookAt(const MapSamplers& maps, glm::vec2 uv)
 {
     const MapSampler& colour = maps[MapSlot::Colour];
     const MapSampler& tip = maps[MapSlot::TipColour];
     const glm::vec3 root(colour.channels(uv));
-    return {.root = root, .tip = tip.sameAs(colour) ? root : glm::vec3(tip.channels(uv))};
+    return {.colours = {.root = root, .tip = tip.sameAs(colour) ? root : glm::vec3(tip.channels(uv))},
+            .frizz = maps[MapSlot::Frizz].scalar(uv),
+            .width = maps[MapSlot::Width].scalar(uv),
+            .gloss = maps[MapSlot::Gloss].scalar(uv)};
 }
 
 RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv)
@@ -95,11 +104,23 @@ RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv)
     return {.length = maps[MapSlot::Length].scalar(uv),
             .curl = curl,
             .curlSize = curl > 0.0F ? maps[MapSlot::CurlSize].scalar(uv) : 0.0F,
-            .colours = coloursAt(maps, uv)};
+            .look = lookAt(maps, uv)};
 }
 
-void setColours(const RootColours& colours, const HairVariation& own, StrandStyle& style)
+float widthOf(float value)
 {
+    constexpr float kDiffers = 0.7F;
+    constexpr float kHalfTexel = static_cast<float>(ruleOf(MapSlot::Width).defaultValue[0]) / 65535.0F;
+    return 1.0F +
+           kDiffers * (value <= kHalfTexel ? value / kHalfTexel - 1.0F : (value - kHalfTexel) / (1.0F - kHalfTexel));
+}
+
+void setLook(const GroupSettings& settings, const RootLook& look, const HairVariation& own, StrandStyle& style)
+{
+    style.frizzM = settings.greatestFrizzM * look.frizz;
+    style.width = own.width * widthOf(look.width);
+    style.gloss = sixteenBits(look.gloss);
+    const RootColours& colours = look.colours;
     const auto shown = [&](glm::vec3 colour) { return own.isGrey ? greyed(colour, style.variation) : colour; };
     style.rootColour = packColour(shown(colours.root));
     style.tipColour = colours.tip == colours.root ? style.rootColour : packColour(shown(colours.tip));
@@ -187,8 +208,7 @@ StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, con
     style.curlRadiusM = coil.radiusM;
     style.phase = chance.phase;
     style.variation = chance.variation;
-    setColours(values.colours, own, style);
-    style.width = own.width;
+    setLook(settings, values.look, own, style);
     style.detail = detail;
     return style;
 }

@@ -15,15 +15,24 @@ struct RootColours
     glm::vec3 tip{0.0F};
 };
 
+/// Values of the maps that change what a hair looks like, not where it lies.
+struct RootLook
+{
+    RootColours colours;
+    float frizz = 0.0F;
+    float width = 0.0F;
+    float gloss = 0.0F;
+};
+
 /// Values of the maps that a style is made from, at one root.
 struct RootValues
 {
     float length = 0.0F;
     float curl = 0.0F;
     float curlSize = 0.0F; ///< Where there is curl.
-    RootColours colours;
+    RootLook look;
 };
-[[nodiscard]] RootColours coloursAt(const MapSamplers& maps, glm::vec2 uv);
+[[nodiscard]] RootLook lookAt(const MapSamplers& maps, glm::vec2 uv);
 [[nodiscard]] RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv);
 
 /// What a hair has from chance, always the same for a rank.
@@ -67,7 +76,10 @@ struct Coil
 /// Of the length map's value, m.
 [[nodiscard]] float lengthOf(const GroupSettings& settings, float value);
 
-void setColours(const RootColours& colours, const HairVariation& own, StrandStyle& style);
+/// Of the width map's value: exactly 1 where nothing is painted.
+[[nodiscard]] float widthOf(float value);
+
+void setLook(const GroupSettings& settings, const RootLook& look, const HairVariation& own, StrandStyle& style);
 /// With this, not the hair's own, its curl differs from what the maps say.
 void varyCurl(const HairVariation& variation, StrandStyle& style);
 /// A hair that is not braided, its curl as the maps say; `detail` = threshold / density.

@@ -5,6 +5,7 @@
 #include "model/files/preset_file.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
+#include "view/panels/map_row.h"
 
 namespace hairpaint::app {
 
@@ -13,6 +14,7 @@ class TestWindowPainting : public QObject, private WindowFixture
     Q_OBJECT
 private:
     static constexpr double kSeen = 0.003;  ///< Fraction of the picture that hair must have changed.
+    static constexpr int kLittle = 12;      ///< Of all channels, where hair looks otherwise and is where it was.
     static constexpr double kSame = 0.0005; ///< Fraction that two pictures of the same may differ by.
 
     [[nodiscard]] QWidget& paper() { return m_window->paintView(); }
@@ -168,6 +170,70 @@ private Q_SLOTS:
         QVERIFY(texelAt(0.5F, 0.5F)[1] > 0);
         QTRY_VERIFY_WITH_TIMEOUT(difference(usual, picture()) > kSeen, kPatienceMs);
         showUndoAndRedo(usual, count, {0.5F, 0.5F});
+    }
+
+    /// Frizz, width and gloss: the hair that is there looks otherwise while the pointer is down, and none comes or
+    /// goes.
+    void whatHairLooksLikeIsPaintedByItsRow_data()
+    {
+        QTest::addColumn<int>("map");
+        QTest::newRow("frizz") << static_cast<int>(model::MapKind::Frizz);
+        QTest::newRow("width") << static_cast<int>(model::MapKind::Width);
+        QTest::newRow("gloss") << static_cast<int>(model::MapKind::Gloss);
+    }
+    void whatHairLooksLikeIsPaintedByItsRow()
+    {
+        QFETCH(int, map);
+        model::Project project = model::newProject();
+        project.wind.enabled = false;
+        sim::GroupSettings& group = project.groups.front().settings;
+        group.material.shine = 1.0F;
+        group.material.widthM = 150e-6F;
+        group.greatestFrizzM = 0.02F;
+        group.variation.grey =
+            map == static_cast<int>(model::MapKind::Gloss) ? 0.0F : 1.0F; // Seen before what is dark.
+        openWholeWindow(std::move(project));
+        key(Qt::Key_1);
+        key(Qt::Key_B);
+        model::ToolSettings settings = editor().tools().settings();
+        settings.brushSizeM *= 3.0F;
+        editor().tools().setSettings(settings);
+        drag(paper(), paintPoint(0.40F, 0.5F), paintPoint(0.60F, 0.5F));
+        QTRY_VERIFY_WITH_TIMEOUT(hairs() > 500, kPatienceMs);
+        key(Qt::Key_F8); // It stands as it grows.
+        awaitNewestHair();
+        const std::size_t count = hairs();
+        const QImage usual = picture();
+        const auto rows = m_window->findChildren<view::MapRow*>();
+        QTest::mouseClick(rows[map], Qt::LeftButton);
+        QCOMPARE(static_cast<int>(editor().target().map()), map);
+        const QByteArray before = savedBytes("look-before.hairpaint");
+
+        const QPoint start = paintPoint(0.40F, 0.5F);
+        const QPoint end = paintPoint(0.60F, 0.5F);
+        QTest::mouseMove(&paper(), start);
+        QTest::mousePress(&paper(), Qt::LeftButton, {}, start);
+        for (int i = 1; i <= 12; ++i)
+            QTest::mouseMove(&paper(), start + (end - start) * i / 12);
+        const auto changed = [&] { return difference(usual, picture(), kLittle); };
+        QTRY_VERIFY_WITH_TIMEOUT(changed() > kSeen, kPatienceMs);
+        QVERIFY(editor().tools().stroking());
+        QVERIFY(savedBytes("look-running.hairpaint") == before);
+        QTest::mouseRelease(&paper(), Qt::LeftButton, {}, end);
+        QCOMPARE(stack().count(), 2);
+        awaitNewestHair();
+        QCOMPARE(hairs(), count);
+        const double painted = changed();
+        QVERIFY(painted > kSeen);
+        undo();
+        awaitNewestHair();
+        QVERIFY2(changed() < 0.1 * painted, qPrintable(QStringLiteral("%1 of %2").arg(changed()).arg(painted)));
+        redo();
+        awaitNewestHair();
+        QCOMPARE(hairs(), count);
+        QVERIFY(changed() > 0.9 * painted);
+        undo();
+        QVERIFY(savedBytes("look-undone.hairpaint") == before);
     }
 
     void aStepMadeWhileSavingIsNotTakenForSaved()

@@ -25,8 +25,8 @@ namespace hairpaint::app {
 
 using test::kPatienceMs;
 
-/// Fraction of pixels that differ clearly between two pictures of one size.
-inline double difference(const QImage& a, const QImage& b)
+/// Fraction of pixels that differ, by more than `least` of all channels, between two pictures of one size.
+inline double difference(const QImage& a, const QImage& b, int least = 40)
 {
     if (a.size() != b.size() || a.isNull())
         return 1.0;
@@ -35,7 +35,7 @@ inline double difference(const QImage& a, const QImage& b)
         for (int x = 0; x < a.width(); ++x) {
             const QRgb p = a.pixel(x, y);
             const QRgb q = b.pixel(x, y);
-            if (std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q)) + std::abs(qBlue(p) - qBlue(q)) > 40)
+            if (std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q)) + std::abs(qBlue(p) - qBlue(q)) > least)
                 ++differing;
         }
     return static_cast<double>(differing) / (static_cast<double>(a.width()) * a.height());

@@ -138,6 +138,23 @@ private Q_SLOTS:
         QCOMPARE(few->fraction(last, last.points - 1), 1.0F);
     }
 
+    void whatTapersKeepsThePointWhereItBegins()
+    {
+        sim::GroomInput::Group input = hairGroup(1, 20'000, 65535, 0);
+        input.settings.material.taperM = 0.02F;
+        const auto frame = frameOf({input});
+        CurveOptions options = allOf(*frame);
+        options.toleranceM = 1.0F;
+        const std::optional<CurveSet> few = CurveSet::of(frame, options);
+        for (const Curve& curve : few->curves()) {
+            QCOMPARE(curve.points, std::uint32_t{3});
+            const float begins = few->fraction(curve, 1);
+            QVERIFY(begins > 0.8F && begins <= 0.9F); // Of 20 cm.
+            QCOMPARE(few->width(curve, begins), few->width(curve, 0.0F));
+            QVERIFY(few->width(curve, 1.0F) < 0.4F * few->width(curve, 0.0F));
+        }
+    }
+
     void simplifyingKeepsCorners()
     {
         const std::vector<glm::vec3> points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}, {2, 2, 0}};

@@ -156,6 +156,26 @@ private Q_SLOTS:
         QVERIFY(width > 0.002F && width < 0.02F);
     }
 
+    void usdTextHasTheRoughnessOfEachHairWhereGlossIsPainted()
+    {
+        const auto roughness = [&](sim::Texel gloss) {
+            sim::GroomInput::Group input = hairGroup(1, 65535, 65535, 0);
+            auto map = std::make_shared<sim::TiledRaster>(256, 1, sim::Texel{32768});
+            map->setUniform(0, gloss);
+            input.maps[sim::MapSlot::Gloss] = map;
+            if (!exported(frameOf({input}), path("usda"), {}, "unreal"))
+                return std::vector<float>{};
+            return numbersIn(valueOf(text("usda"), QStringLiteral("primvars:groom_roughness")));
+        };
+        const std::vector<float> alike = roughness({32768});
+        QCOMPARE(alike, std::vector<float>{sim::StrandMaterial{}.roughness});
+        const std::vector<float> painted = roughness({65535});
+        QCOMPARE(painted.size(), numbersIn(valueOf(text("usda"), QStringLiteral("curveVertexCounts"))).size());
+        const auto [least, most] = std::ranges::minmax(painted);
+        QCOMPARE(most, sim::StrandMaterial{}.roughness);
+        QVERIFY(least < 0.5F * most);
+    }
+
     /// At its default is what a format does not take, on what it implies.
     void aFormatHasOfTheWishesWhatItTakes()
     {

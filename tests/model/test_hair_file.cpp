@@ -155,6 +155,30 @@ private Q_SLOTS:
         QVERIFY(glm::distance(file.colours[0], glm::vec3(1.0F, 128.0F / 255.0F, 0.0F)) < 0.01F);
     }
 
+    void taperWidthMapAndTipColourAreWritten()
+    {
+        sim::GroomInput::Group input = hairGroup(1, 65535, 65535, 0);
+        input.settings.material.widthM = 70e-6F;
+        input.settings.material.tipAlpha = 0.25F;
+        input.settings.material.taperM = 0.05F; // A quarter of the length.
+        input.settings.material.tipFrom = 0.5F;
+        input.maps[sim::MapSlot::Width] = flat(1, {65535});
+        input.maps[sim::MapSlot::Colour] = flat(3, {65535, 32896, 0});
+        input.maps[sim::MapSlot::TipColour] = flat(3, {0, 32896, 65535});
+        const HairFile file = written(frameOf({input}));
+        QVERIFY(file.whole && !file.segments.empty());
+        const std::size_t tip = file.segments.front();
+        const float whole = 1.7F * 70e-6F;
+        for (std::size_t point = 0; point <= tip; ++point) {
+            const float s = static_cast<float>(point) / static_cast<float>(tip);
+            const float t = std::max(4.0F * s - 3.0F, 0.0F);
+            QVERIFY(std::abs(file.thickness[point] - whole * (1.0F - 0.75F * t * t)) < 1e-8F);
+            QCOMPARE(file.colours[point].b > 0.0F, s > 0.5F);
+        }
+        QVERIFY(std::abs(file.thickness[tip] - 0.25F * whole) < 1e-8F);
+        QVERIFY(std::abs(file.colours[tip].b - 1.0F) < 1e-4F);
+    }
+
     void coloursMixInLightAsOnTheScreen()
     {
         sim::GroomInput::Group input = hairGroup(1, 65535, 65535, 0);

@@ -50,6 +50,12 @@ private Q_SLOTS:
         row("dark red", "curl", {0.3, 0, 0}, 0.3);
         row("yellow is one wisp", "clump", {1, 1, 0}, 1);
         row("cyan is held", "gel", {0, 1, 1}, 1);
+        row("violet strays furthest", "frizz", {0.5, 0, 1}, 1);
+        row("pale violet strays half as far", "frizz", {0.75, 0.5, 1}, 0.5);
+        row("brown is thickest", "width", {150 / 255.0, 75 / 255.0, 0}, 1);
+        row("pale brown is as the group", "width", {405 / 510.0, 330 / 510.0, 0.5}, 0.5);
+        row("rose mirrors", "gloss", {1, 0, 0.5}, 1);
+        row("white is matte", "gloss", {1, 1, 1}, 0);
         row("pale cyan is half held", "gel", {0.5, 1, 1}, 0.5);
     }
     void aColourIsReadAlongTheMapsScale()

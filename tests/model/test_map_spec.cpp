@@ -40,7 +40,7 @@ void TestMapSpec::everyMapHasItsOwnIdAndLetter()
     QCOMPARE(index, kMapKindCount);
     QCOMPARE(ids.size(), kMapKindCount);
     QCOMPARE(letters.size(), kMapKindCount);
-    QCOMPARE(findMapSpec(u"frizz"), nullptr);
+    QCOMPARE(findMapSpec(u"sheen"), nullptr);
 }
 
 void TestMapSpec::defaultsAreThoseOfTheDesign_data()
@@ -54,6 +54,9 @@ void TestMapSpec::defaultsAreThoseOfTheDesign_data()
     QTest::newRow("no braid") << "braid" << 0;
     QTest::newRow("no clump") << "clump" << 0;
     QTest::newRow("no gel") << "gel" << 0;
+    QTest::newRow("no frizz") << "frizz" << 0;
+    QTest::newRow("as wide as the group") << "width" << 32768;
+    QTest::newRow("as glossy as the group") << "gloss" << 32768;
     QTest::newRow("upright") << "direction" << 32768;
 }
 
@@ -93,6 +96,11 @@ void TestMapSpec::theScaleReadsAlongItsOwnHue_data()
     QTest::newRow("yellow is no orange") << "curl_size" << 1.0F << 1.0F << 0.5F << 0.0F;
     QTest::newRow("yellow") << "clump" << 1.0F << 0.75F << 0.25F << 0.5F;
     QTest::newRow("cyan") << "gel" << 0.25F << 0.75F << 1.0F << 0.5F;
+    QTest::newRow("violet") << "frizz" << 0.75F << 0.5F << 1.0F << 0.5F;
+    QTest::newRow("magenta is no violet") << "frizz" << 1.0F << 0.5F << 1.0F << 0.0F;
+    QTest::newRow("brown from white") << "width" << 0.794118F << 0.647059F << 0.5F << 0.5F;
+    QTest::newRow("brown from black") << "width" << 0.294118F << 0.147059F << 0.0F << 0.5F;
+    QTest::newRow("rose") << "gloss" << 1.0F << 0.5F << 0.75F << 0.5F;
     QTest::newRow("green is no cyan") << "gel" << 0.0F << 1.0F << 0.0F << 0.0F;
 }
 
@@ -121,7 +129,9 @@ void TestMapSpec::writingAndReadingReturnsTheValueWithinAStep()
                 // A channel that falls to one half only says as much by half as many steps.
                 const bool hasHalf =
                     qRed(spec.scaleColour) % 255 + qGreen(spec.scaleColour) % 255 + qBlue(spec.scaleColour) % 255 != 0;
-                const float steps = !hasHalf ? 0.5F : night ? 2.1F : 1.1F;
+                const bool isDark =
+                    std::max({qRed(spec.scaleColour), qGreen(spec.scaleColour), qBlue(spec.scaleColour)}) < 255;
+                const float steps = !hasHalf ? 0.5F : night || isDark ? 2.1F : 1.1F;
                 QVERIFY2(std::abs(read - value) <= steps / 255.0F + 1e-5F, spec.id);
             }
         QCOMPARE(scaleToColour(spec, 0.0F, false), 0xFFFFFFFFU);

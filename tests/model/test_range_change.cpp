@@ -64,7 +64,8 @@ private Q_SLOTS:
             if (setsRange(row))
                 keys.append(QLatin1StringView(row.key));
         QCOMPARE(keys, (QStringList{QStringLiteral("greatest_length_m"), QStringLiteral("greatest_density_per_m2"),
-                                    QStringLiteral("greatest_curl_radius_m"), QStringLiteral("shortest_length_m")}));
+                                    QStringLiteral("greatest_curl_radius_m"), QStringLiteral("shortest_length_m"),
+                                    QStringLiteral("greatest_frizz_m")}));
     }
 
     void a_wider_range_keeps_every_amount_data()
@@ -197,6 +198,7 @@ private Q_SLOTS:
         QTest::newRow("greatest length") << QStringLiteral("greatest_length_m") << int(MapKind::Length) << 0.77;
         QTest::newRow("shortest length") << QStringLiteral("shortest_length_m") << int(MapKind::Length) << 0.05;
         QTest::newRow("density") << QStringLiteral("greatest_density_per_m2") << int(MapKind::Density) << 3.1e6;
+        QTest::newRow("frizz") << QStringLiteral("greatest_frizz_m") << int(MapKind::Frizz) << 0.01;
         QTest::newRow("curl size") << QStringLiteral("greatest_curl_radius_m") << int(MapKind::CurlSize) << 0.05;
     }
     void each_range_keeps_its_own_map()

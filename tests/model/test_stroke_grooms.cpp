@@ -68,7 +68,8 @@ private Q_SLOTS:
         row("Bob", comb, MapKind::Direction);
         row("Long straight", comb, MapKind::Direction);
         row("Two plaits", comb, MapKind::Direction);
-        for (const MapKind map : {MapKind::Length, MapKind::Curl, MapKind::Clump, MapKind::Gel, MapKind::Colour})
+        for (const MapKind map : {MapKind::Length, MapKind::Curl, MapKind::Clump, MapKind::Gel, MapKind::Colour,
+                                  MapKind::Frizz, MapKind::Width, MapKind::Gloss})
             row("Ringlets", kBrush, map);
         row("Two plaits", kBrush, MapKind::Braid);
         row("Two plaits", eraser, MapKind::Braid);

@@ -28,6 +28,7 @@ struct RoundStrand
     float turns = 0.0F;
     float curlRadiusM = 0.0F;
     sim::BraidKind braid = sim::BraidKind::None;
+    float frizzM = 0.0F;
 };
 
 StrandBlock blockOf(const RoundStrand& strand)
@@ -39,7 +40,14 @@ StrandBlock blockOf(const RoundStrand& strand)
     block.nodes = kNodes;
     block.anyCurl = strand.turns > 0.0F;
     block.anyBraid = strand.braid != sim::BraidKind::None;
-    block.anyFrame = block.anyCurl || block.anyBraid;
+    block.anyFrizz = strand.frizzM > 0.0F;
+    block.anyFrame = block.anyCurl || block.anyBraid || block.anyFrizz;
+    sim::StrandStyle frizzy;
+    frizzy.lengthM = kLengthM;
+    frizzy.frizzM = strand.frizzM;
+    block.frizzM[0] = sim::frizzOf(frizzy).radiusM;
+    block.frizzRad[0] = sim::frizzOf(frizzy).waveRad;
+    block.perTaper.fill(1.0F);
     block.turns[0] = strand.turns;
     block.curlRadiusM[0] = strand.curlRadiusM;
     block.width[0] = 1.0F;
@@ -123,6 +131,8 @@ private Q_SLOTS:
             std::pair{"wavy", RoundStrand{.turns = 2.0F, .curlRadiusM = 0.006F}},
             std::pair{"ringlet", RoundStrand{.turns = 8.0F, .curlRadiusM = 0.006F}},
             std::pair{"bent coil", RoundStrand{.bendRad = 1.5F, .turns = 16.0F, .curlRadiusM = 0.003F}},
+            std::pair{"frizzy", RoundStrand{.frizzM = 0.004F}},
+            std::pair{"frizzy wave", RoundStrand{.turns = 2.0F, .curlRadiusM = 0.006F, .frizzM = 0.002F}},
             std::pair{"plait", RoundStrand{.braid = sim::BraidKind::Plait}},
             std::pair{"twist", RoundStrand{.braid = sim::BraidKind::Twist}}};
         for (const auto& [name, strand] : strands)

@@ -28,7 +28,7 @@ struct GpuPlace
     glm::vec4 place;   ///< w: shine.
     glm::vec4 tangent; ///< w: variation.
     glm::vec4 colour;  ///< w: roughness.
-    glm::vec4 crossed; ///< Toward key, eye, rim.
+    glm::vec4 crossed; ///< Toward key, eye, rim; w: gloss.
 };
 struct GpuLit
 {
@@ -48,7 +48,7 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     Place p = places[i];
     HairPoint point = HairPoint(p.place.xyz, p.tangent.xyz, p.colour.rgb, fibreDepth(p.colour.rgb), p.tangent.w,
-                                p.crossed.x, p.crossed.y, p.crossed.z);
+                                p.crossed.x, p.crossed.y, p.crossed.z, 1.0 + p.crossed.w, 1.0 + 1.5 * p.crossed.w);
     vec3 lit = hairLight(point, p.place.w, p.colour.w);
     lits[i] = Lit(vec4(lit, 0.0), vec4(toneOf(lit), 0.0), vec4(lightHeld(heldLight(lit)), 0.0));
 }
@@ -118,7 +118,7 @@ private Q_SLOTS:
             p = {.place = glm::vec4(direction() * between(0.08F, 0.3F), between(0.0F, 1.0F)),
                  .tangent = glm::vec4(direction(), between(-0.2F, 0.2F)),
                  .colour = {between(0.0F, 1.0F), between(0.0F, 1.0F), between(0.0F, 1.0F), between(0.0F, 1.0F)},
-                 .crossed = {between(0.0F, 12.0F), between(0.0F, 12.0F), between(0.0F, 12.0F), 0.0F}};
+                 .crossed = {between(0.0F, 12.0F), between(0.0F, 12.0F), between(0.0F, 12.0F), between(-0.6F, 1.0F)}};
         std::vector<GpuLit> lits(kPlaces);
         Buffer uniforms;
         uniforms.assign(&constants, sizeof(constants));
@@ -149,7 +149,8 @@ private Q_SLOTS:
             const auto lit = simd::hairLight(
                 hairLighting(constants, material),
                 simd::HairPoint<float>{simd::tripleOf<float>(p.place), simd::tripleOf<float>(p.tangent), colour,
-                                       simd::fibreDepth(colour), p.tangent.w, p.crossed.x, p.crossed.y, p.crossed.z});
+                                       simd::fibreDepth(colour), p.tangent.w, p.crossed.x, p.crossed.y, p.crossed.z,
+                                       1.0F + p.crossed.w, 1.0F + 1.5F * p.crossed.w});
             const glm::vec3 expected(lit.x, lit.y, lit.z);
             const auto toned = simd::toneOf(lit);
             const glm::vec3 shown(toned.x, toned.y, toned.z);

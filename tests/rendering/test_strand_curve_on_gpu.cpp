@@ -37,20 +37,24 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu_data()
     QTest::addColumn<float>("curlRadiusM");
     QTest::addColumn<int>("braid"); ///< Kind, wisp in bits 8 and 9.
     QTest::addColumn<bool>("turned");
-    QTest::newRow("straight") << 8 << 0.0F << 0.0F << 0 << false;
-    QTest::newRow("four nodes") << 4 << 2.0F << 0.01F << 0 << false;
-    QTest::newRow("two turns") << 8 << 2.0F << 0.012F << 0 << false;
-    QTest::newRow("sixteen turns") << 8 << 16.0F << 0.006F << 0 << false;
-    QTest::newRow("head turned") << 12 << 5.0F << 0.01F << 0 << true;
-    QTest::newRow("plait, first wisp") << 12 << 0.0F << 0.0F << 0x001 << false;
-    QTest::newRow("plait, second wisp") << 12 << 0.0F << 0.0F << 0x101 << false;
-    QTest::newRow("plait, third wisp, head turned") << 32 << 0.0F << 0.0F << 0x201 << true;
-    QTest::newRow("twist, first wisp") << 12 << 0.0F << 0.0F << 0x002 << false;
-    QTest::newRow("twist, second wisp, head turned") << 12 << 0.0F << 0.0F << 0x102 << true;
-    QTest::newRow("loc") << 12 << 0.0F << 0.0F << 0x003 << false;
+    QTest::addColumn<float>("frizzM");
+    QTest::newRow("straight") << 8 << 0.0F << 0.0F << 0 << false << 0.0F;
+    QTest::newRow("four nodes") << 4 << 2.0F << 0.01F << 0 << false << 0.0F;
+    QTest::newRow("two turns") << 8 << 2.0F << 0.012F << 0 << false << 0.0F;
+    QTest::newRow("sixteen turns") << 8 << 16.0F << 0.006F << 0 << false << 0.0F;
+    QTest::newRow("head turned") << 12 << 5.0F << 0.01F << 0 << true << 0.0F;
+    QTest::newRow("plait, first wisp") << 12 << 0.0F << 0.0F << 0x001 << false << 0.0F;
+    QTest::newRow("plait, second wisp") << 12 << 0.0F << 0.0F << 0x101 << false << 0.0F;
+    QTest::newRow("plait, third wisp, head turned") << 32 << 0.0F << 0.0F << 0x201 << true << 0.0F;
+    QTest::newRow("twist, first wisp") << 12 << 0.0F << 0.0F << 0x002 << false << 0.0F;
+    QTest::newRow("twist, second wisp, head turned") << 12 << 0.0F << 0.0F << 0x102 << true << 0.0F;
+    QTest::newRow("loc") << 12 << 0.0F << 0.0F << 0x003 << false << 0.0F;
+    QTest::newRow("frizzy") << 8 << 0.0F << 0.0F << 0 << false << 0.006F;
+    QTest::newRow("frizzy curl, head turned") << 12 << 5.0F << 0.01F << 0 << true << 0.004F;
+    QTest::newRow("frizzy plait") << 12 << 0.0F << 0.0F << 0x101 << false << 0.003F;
     // Measured in real units.
-    QTest::newRow("coil") << 12 << 9.0F << 0.009F << kCoiled << false;
-    QTest::newRow("coil, head turned") << 8 << 6.4F << 0.0075F << kCoiled << true;
+    QTest::newRow("coil") << 12 << 9.0F << 0.009F << kCoiled << false << 0.0F;
+    QTest::newRow("coil, head turned") << 8 << 6.4F << 0.0075F << kCoiled << true << 0.0F;
 }
 
 void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
@@ -60,11 +64,13 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
     QFETCH(float, curlRadiusM);
     QFETCH(int, braid);
     QFETCH(bool, turned);
+    QFETCH(float, frizzM);
 
     // Bent skeletons from all over a ball.
     const glm::vec3 axes(0.08F, 0.11F, 0.1F);
     std::vector<HandMadeStrand> strands =
         hairOnBall(axes, {.hairs = 200, .lengthM = 0.25F, .turns = turns, .curlRadiusM = curlRadiusM, .nodes = nodes});
+    float chance = -1.0F;
     for (HandMadeStrand& strand : strands) {
         if (braid == kCoiled)
             continue;
@@ -74,15 +80,14 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
         strand.style.braidStart = 0.27F;
         strand.style.braidTurns = 4.3F;
         strand.style.wispOffset = {0.4F, -0.7F};
+        strand.style.frizzM = frizzM;
+        strand.style.variation = chance += 0.009F;
     }
     sim::GroupSettings settings;
     if (braid == kCoiled) {
         settings.turnsMode = sim::TurnsMode::Coils;
-        settings.curl = {.flatness = 0.3F,
-                         .inStepFromM = 0.05F,
-                         .switchbacksPerM = 12.0F,
-                         .skips = 0.2F,
-                         .uncoil = 0.25F};
+        settings.curl = {
+            .flatness = 0.3F, .inStepFromM = 0.05F, .switchbacksPerM = 12.0F, .skips = 0.2F, .uncoil = 0.25F};
     }
     auto frame = makeFrame(strands, settings);
     if (turned)
@@ -111,8 +116,7 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
         const int segments = static_cast<int>(list.strands()[i + 1].firstPoint - first) - 1;
         const glm::vec3 tangent = frame->pose.rotation * sim::frameTangentHd(*frame->groups[0].groom, slot);
         const sim::StrandStyle& style = frame->groups[0].groom->chunks[0]->styles[slot];
-        sim::evaluateStrand(strands[slot].nodesWo, tangent, style, segments, expected,
-                            sim::coilsOf(settings));
+        sim::evaluateStrand(strands[slot].nodesWo, tangent, style, segments, expected, sim::coilsOf(settings));
         for (std::size_t p = 0; p < expected.size(); ++p)
             worst = std::max(worst, glm::distance(expected[p], glm::vec3(points[first + p])));
     }

@@ -395,6 +395,30 @@ private Q_SLOTS:
         QCOMPARE(f.steps(), 0);
     }
 
+    void a_low_window_scrolls_to_the_map_that_is_chosen()
+    {
+        PanelFixture f;
+        MapsPanel panel(f.state);
+        panel.resize(280, panel.minimumSizeHint().height());
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        const auto rows = panel.findChildren<MapRow*>();
+        const auto isSeen = [](const MapRow* row) {
+            return row->visibleRegion().boundingRect().height() >= MapRow::kThumbnailSide;
+        };
+        QVERIFY(isSeen(rows.front()) && !isSeen(rows.back()));
+        rows[9]->setFocus();
+        f.state.target().setMap(MapKind::Direction);
+        for (int down = 0; down < 3; ++down)
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+        QVERIFY(f.state.target().map() == MapKind::Gloss);
+        QTRY_VERIFY(isSeen(rows.back()) && !isSeen(rows.front()));
+        QTest::keyClick(&panel, Qt::Key_1);
+        QTRY_VERIFY(isSeen(rows.front()));
+        panel.resize(280, panel.sizeHint().height());
+        QTRY_VERIFY(isSeen(rows.front()) && isSeen(rows.back()));
+    }
+
     void tools_are_chosen_and_shown_with_their_own_options()
     {
         PanelFixture f;

@@ -7,6 +7,7 @@
 #include "view/panels/map_thumbnail.h"
 
 #include <QKeyEvent>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -20,32 +21,51 @@ using model::MapSpec;
 namespace {
 
 constexpr int kRedrawMs = 50;
+constexpr int kLeastRows = 10; ///< Where the window is low; to the others it scrolls.
 
 } // namespace
 
-MapsPanel::MapsPanel(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
+MapsPanel::MapsPanel(EditorState& state, QWidget* parent)
+    : QWidget(parent), m_state(state), m_scroll(new QScrollArea(this))
 {
     setObjectName(QStringLiteral("panel"));
     setAttribute(Qt::WA_StyledBackground);
     setAccessibleName(tr("Maps"));
-    auto* layout = new QVBoxLayout(this);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(m_scroll);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    m_scroll->installEventFilter(this);
+    auto* content = new QWidget(m_scroll);
+    content->setObjectName(QStringLiteral("panel"));
+    auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(metrics::kPadding - metrics::kGrid, metrics::kGrid, metrics::kPadding - metrics::kGrid,
                                metrics::kGap);
     layout->setSpacing(0);
     for (const MapSpec& spec : model::mapSpecs()) {
-        auto* row = new MapRow(spec.kind, this);
+        auto* row = new MapRow(spec.kind, content);
         connect(row, &MapRow::clicked, this, [this, kind = spec.kind] { m_state.target().setMap(kind); });
         layout->addWidget(row);
         m_rows[sim::indexOf(spec.kind)] = row;
     }
+    m_scroll->setWidget(content);
+    m_scroll->setMinimumHeight(kLeastRows * m_rows.front()->minimumSizeHint().height());
     m_redraw.setSingleShot(true);
     m_redraw.setInterval(kRedrawMs);
     connect(&m_redraw, &QTimer::timeout, this, &MapsPanel::redraw);
     connect(&state.target(), &EditTarget::changed, this, &MapsPanel::follow);
     connect(&state.options(), &ViewOptions::changed, this, &MapsPanel::markAll);
     connect(&state.document(), &model::Document::changed, this, &MapsPanel::onChanged);
+    m_shownMap = state.target().map();
     follow();
     markAll();
+}
+
+QSize MapsPanel::sizeHint() const
+{
+    return m_scroll->widget()->sizeHint();
 }
 
 void MapsPanel::onChanged(const Change& change)
@@ -83,6 +103,10 @@ void MapsPanel::follow()
         row->setRange(group != nullptr ? rangeText(group->settings, spec) : QString(),
                       group != nullptr ? group->map(spec.kind).size : 0);
     }
+    if (m_state.target().map() != m_shownMap) {
+        m_shownMap = m_state.target().map();
+        m_scroll->ensureWidgetVisible(m_rows[sim::indexOf(m_shownMap)], 0, 0);
+    }
     if (m_shownGroup != m_state.target().group()) {
         m_shownGroup = m_state.target().group();
         markAll();
@@ -119,6 +143,15 @@ void MapsPanel::keyPressEvent(QKeyEvent* event)
     }
     m_state.target().setMap(static_cast<MapKind>(wanted));
     m_rows[static_cast<std::size_t>(wanted)]->setFocus();
+}
+
+/// Arrows choose a map; they would scroll.
+bool MapsPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched != m_scroll || event->type() != QEvent::KeyPress)
+        return QWidget::eventFilter(watched, event);
+    keyPressEvent(static_cast<QKeyEvent*>(event));
+    return true;
 }
 
 } // namespace hairpaint::view

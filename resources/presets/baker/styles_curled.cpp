@@ -34,6 +34,7 @@ Style ringlets()
                     user.fill(MapKind::Colour, colour(0xFF703018));
                     cutToLine(user, -0.13F, 0.06F);
                     user.fill(MapKind::Curl, scalar(1.0F));
+                    user.fill(MapKind::Frizz, scalar(0.12F));
                 }};
     model::setHairType(style.settings, model::hairType("3B"));
     style.settings.curl.diameterM = 0.020F;
@@ -60,6 +61,7 @@ Style afro()
                     user.setLayerOpacity(MapKind::Density, 0.8F);
                     user.fill(MapKind::Colour, colour(0xFF241712));
                     user.fill(MapKind::Curl, scalar(1.0F));
+                    user.fill(MapKind::Frizz, scalar(0.4F));
                     user.fill(MapKind::Gel, scalar(0.92F));
                     user.fill(MapKind::Direction, upright());
                     // Cut to a ball that leaves the face free.

@@ -2,6 +2,7 @@
 #include "view/rendering/gl/hair_pass.h"
 
 #include "sim/groom/strand_curve.h"
+#include "sim/groom/strand_look.h"
 #include "view/rendering/drawn_fraction.h"
 
 #include <epoxy/gl.h>
@@ -13,7 +14,8 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr unsigned kWorkgroup = 64;
-constexpr float kVoxelUnitM2 = 1e-9F; ///< Hair's area that one unit of a voxel stands for.
+constexpr int kSegmentsOfDyedHair = 28; ///< So that the tip colour can begin in a line.
+constexpr float kVoxelUnitM2 = 1e-9F;   ///< Hair's area that one unit of a voxel stands for.
 
 // The shaders stop at what is opaque, so that more of what lies deep is drawn than in software.
 constexpr DepthOfCoat kFineDepth{
@@ -99,7 +101,9 @@ HairPass::Report HairPass::uploadGroups(const std::shared_ptr<const sim::StrandF
         // More than the frame places can't be drawn.
         if (group.detail < 1.0F)
             fraction = std::min(fraction, group.detail / (1.0F + kFadingPart));
-        const SegmentsWanted segments = segmentsWanted(group, constants, fine ? kFineToleranceSp : kMovingToleranceSp);
+        SegmentsWanted segments = segmentsWanted(group, constants, fine ? kFineToleranceSp : kMovingToleranceSp);
+        if (sim::tipMixOf(group.groom->settings.material).bendsWithin(0.0F, 1.0F)) // Colours are known at points alone.
+            segments.ofStraightHair = std::max(segments.ofStraightHair, kSegmentsOfDyedHair);
         report.uploadedBytes += held.upload(frame, group, std::min(listedDetail(fraction), group.detail), segments);
         if (!held.ready() || held.list().strandCount() == 0)
             continue;
@@ -209,6 +213,7 @@ bool HairPass::projectPiece()
     m_expand.set("isCoiled", sim::coilsOf(settings) != nullptr ? 1 : 0);
     m_expand.set("coil", glm::vec4(curl.inStepFromM, curl.switchbacksPerM, curl.skips, curl.flatness));
     m_expand.set("uncoil", curl.uncoil);
+    m_expand.set("taperM", settings.material.taperM);
     dispatch(piece.strandCount);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 
@@ -224,6 +229,9 @@ bool HairPass::projectPiece()
     m_shade.set("inEveryColumn", m_depth.inEveryColumn ? 1 : 0);
     m_shade.set("material", glm::vec4(settings.material.shine, settings.material.roughness, settings.material.rootAlpha,
                                       settings.material.tipAlpha));
+    const sim::TipMix tipMix = sim::tipMixOf(settings.material);
+    m_shade.set("taperM", settings.material.taperM);
+    m_shade.set("tipMix", glm::vec2(tipMix.scale, tipMix.offset));
     m_shade.set("groupWidthM", settings.material.widthM);
     m_shade.set("variationScale", settings.material.colourVariation);
     dispatch(piece.pointCount);

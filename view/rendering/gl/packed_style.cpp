@@ -1,6 +1,8 @@
 // Packing strands for the GPU.
 #include "view/rendering/gl/packed_style.h"
 
+#include "sim/groom/strand_look.h"
+
 #include <cmath>
 
 namespace hairpaint::rendering {
@@ -22,6 +24,7 @@ std::uint32_t packDirection(glm::vec3 v)
 
 PackedStyle packed(const sim::StrandStyle& style, glm::vec3 rootTangentHd)
 {
+    const sim::Gloss gloss = sim::glossOf(style.gloss);
     return {.turns = style.turns,
             .curlRadiusM = style.curlRadiusM,
             .phase = style.phase,
@@ -29,13 +32,17 @@ PackedStyle packed(const sim::StrandStyle& style, glm::vec3 rootTangentHd)
             .tipColour = style.tipColour,
             .width = style.width,
             .braid = static_cast<std::uint32_t>(style.braid) | (std::uint32_t{style.wisp} << 8U),
-            .braidRadiusM = style.braid == sim::BraidKind::None ? style.lengthM : style.braidRadiusM,
+            .braidRadiusM = style.braidRadiusM,
             .braidStart = style.braidStart,
             .braidTurns = style.braidTurns,
             .wispOffsetX = style.wispOffset.x,
             .wispOffsetY = style.wispOffset.y,
             .variation = style.variation,
             .order = style.detail,
+            .lengthM = style.lengthM,
+            .frizzM = style.frizzM,
+            .shine = gloss.shine,
+            .sharpness = gloss.sharpness,
             .tangentHd = packDirection(rootTangentHd)};
 }
 

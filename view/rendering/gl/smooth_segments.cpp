@@ -62,11 +62,12 @@ SegmentsWanted segmentsWanted(const sim::GroupFrame& group, const FrameConstants
     for (const auto& chunk : groom.chunks)
         if (chunk)
             for (std::size_t slot = 0; slot < sim::kChunkSlots; slot += sim::kLanes)
-                radiusM = std::max(radiusM,
-                                   std::max(chunk->styles[slot].turns > 0.0F ? chunk->styles[slot].curlRadiusM : 0.0F,
-                                            chunk->styles[slot].braid != sim::BraidKind::None
-                                                ? chunk->styles[slot].braidRadiusM
-                                                : 0.0F));
+                radiusM = std::max(
+                    radiusM,
+                    std::max(
+                        {chunk->styles[slot].frizzM,
+                         chunk->styles[slot].turns > 0.0F ? chunk->styles[slot].curlRadiusM : 0.0F,
+                         chunk->styles[slot].braid != sim::BraidKind::None ? chunk->styles[slot].braidRadiusM : 0.0F}));
     // The chord of an eighth of a circle lies 0.077 of its radius inside it.
     constexpr float kChord = 0.077F;
     wanted.curlFactor = std::min(steppedUp(std::sqrt(radiusM * nearest * kChord / toleranceSp)), 4);

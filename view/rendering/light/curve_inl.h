@@ -120,7 +120,7 @@ HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spa
             p2 = p3;
             p3 = k + 2 < nodes ? node(k + 2) : of_lanes::beyond(p2, p1);
         }
-        const float along = static_cast<float>(j - first) / static_cast<float>(spans.of[static_cast<std::size_t>(k)]);
+        const float along = spans.along(k, nodes, j - first);
         const float s = (static_cast<float>(k) + along) * perSpan;
         const Lanes t(along);
         const of_lanes::Span span = of_lanes::spanOf(p0, p1, p2, p3);
@@ -164,6 +164,13 @@ HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spa
                 const Triple<Lanes> curled =
                     axis + (reference * offset.x + cross(tangent, reference) * offset.y + tangent * offset.z) * r;
                 point = block.anyBraid ? select(braided, point, curled) : curled;
+            }
+            if (block.anyFrizz) {
+                const of_lanes::Frizz frizz{.radiusM = loaded(block.frizzM.data() + lane),
+                                            .waveRad = loaded(block.frizzRad.data() + lane)};
+                const Triple<Lanes> offset =
+                    of_lanes::frizzOffset(frizz, loaded(block.variation.data() + lane), Lanes(s));
+                point = point + reference * offset.x + cross(tangent, reference) * offset.y;
             }
         }
         stored3(point, pointsWo + static_cast<std::size_t>(j) * kRow + lane);

@@ -29,6 +29,8 @@ struct HairPoint
     F towardKey;       ///< Area of hair between it and the light, the eye, the rim light, over the area that it covers.
     F towardEye;
     F towardRim;
+    F shine = F(1.0F);     ///< This hair's own, of the group's.
+    F sharpness = F(1.0F); ///< How many times as sharp as the group's its highlights are.
 };
 
 /// By how much a fibre's lobes stand elsewhere than those of its neighbours, as twice the half angle's sine: fibres of
@@ -77,13 +79,13 @@ HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, co
     const Triple<F> toward = tripleOf<F>(lamp.towardWo);
     const FibreAngles<F> at = fibreAngles(dot(point.tangent, toward), coat.sinO, coat.cosO, dot(toward, coat.view));
     constexpr float kForward = 0.5F; ///< Of what goes on past one hair, that meets no other right after.
-    const F shine(given.shine);
+    const F shine = F(given.shine) * point.shine;
     // Softly around the coat, since light scatters on within it; what shines through its thin parts is there too.
     const F wrap = clamped(dot(coat.normal, toward) * F(0.62F) + F(0.38F), 0.0F, 1.0F);
     const F facing = F(0.1F) + F(0.9F) * wrap * wrap;
     Triple<F> lit;
     if (given.scattering == ScatteringModel::Marschner) {
-        const FibreLobes<F> lobes = marschner<set>(given.shape, at, point.depth, point.turned);
+        const FibreLobes<F> lobes = marschner<set>(given.shape, at, point.depth, point.turned, point.sharpness);
         const F front = shine * passed.direct * F(kPi);
         const F body = (F(0.35F) + F(0.65F) * at.cosI) * facing * F(kCoat);
         const F white = lobes.r * front * F(set == LobeSet::Forward ? kForward : 1.0F);
@@ -95,13 +97,13 @@ HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, co
         if constexpr (set != LobeSet::Forward)
             lit = lit + lobes.trt * front;
     } else if (given.scattering == ScatteringModel::KajiyaKay) {
-        const Highlights<F> highlights = kajiyaKay(at, given.highlightExponent);
+        const Highlights<F> highlights = kajiyaKay(at, F(given.highlightExponent) * point.sharpness * point.sharpness);
         const F gloss = shine * passed.direct * wrap;
         const F white = highlights.first * gloss * F(0.15F);
         lit = point.colour * passed.all * (at.cosI * facing * F(kCoat)) + Triple<F>{white, white, white} +
               point.colour * (highlights.second * gloss * F(0.5F));
     } else {
-        const LineLight<F> line = illuminatedLine(at, given.highlightExponent);
+        const LineLight<F> line = illuminatedLine(at, F(given.highlightExponent) * point.sharpness * point.sharpness);
         const F white = line.specular * shine * passed.direct * F(0.25F);
         lit = point.colour * passed.all * (line.diffuse * facing * F(kCoat)) + Triple<F>{white, white, white};
     }

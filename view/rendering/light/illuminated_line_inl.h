@@ -22,10 +22,10 @@ struct LineLight
 
 /// The normal of all those across the line that is best for each: diffuse (1-(L.T)^2)^(p/2), specular with `exponent`.
 template<class F>
-HWY_INLINE LineLight<F> illuminatedLine(const FibreAngles<F>& at, float exponent)
+HWY_INLINE LineLight<F> illuminatedLine(const FibreAngles<F>& at, F exponent)
 {
     const F mirrored = most(at.cosI * at.cosO - at.sinI * at.sinO, F(0.0F));
-    return {powerOf(at.cosI, F(kExcessBrightness)), powerOf(mirrored, F(exponent))};
+    return {powerOf(at.cosI, F(kExcessBrightness)), powerOf(mirrored, exponent)};
 }
 
 } // namespace hairpaint::rendering::HWY_NAMESPACE

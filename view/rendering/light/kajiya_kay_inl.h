@@ -28,13 +28,13 @@ HWY_INLINE F mirroredCone(const FibreAngles<F>& at, float sinShift, float cosShi
 
 /// `exponent` of the first highlight; the second is four times as wide. Cones toward the tip and toward the root.
 template<class F>
-HWY_INLINE Highlights<F> kajiyaKay(const FibreAngles<F>& at, float exponent)
+HWY_INLINE Highlights<F> kajiyaKay(const FibreAngles<F>& at, F exponent)
 {
     constexpr float kSinTip = 0.0898785F; // Twice the scales' tilt,
     constexpr float kCosTip = 0.9959527F;
     constexpr float kSinRoot = -0.1790296F; // four times.
     constexpr float kCosRoot = 0.9838437F;
-    return {mirroredCone(at, kSinTip, kCosTip, F(exponent)), mirroredCone(at, kSinRoot, kCosRoot, F(exponent * 0.25F))};
+    return {mirroredCone(at, kSinTip, kCosTip, exponent), mirroredCone(at, kSinRoot, kCosRoot, exponent * F(0.25F))};
 }
 
 } // namespace hairpaint::rendering::HWY_NAMESPACE

@@ -46,11 +46,12 @@ HWY_INLINE F meanReflectance(F c)
     return F(kNormalReflectance) + F(1.0F - kNormalReflectance) * integral;
 }
 
-/// Longitudinal part of lobe `which`: a Gaussian of twice the half angle's sine.
+/// Longitudinal part of lobe `which`: a Gaussian of twice the half angle's sine, so many times as narrow and, by
+/// `perCosD`, as high.
 template<class F>
-HWY_INLINE F longitudinal(const FibreShape& shape, int which, F twiceSinH, F perCosD)
+HWY_INLINE F longitudinal(const FibreShape& shape, int which, F twiceSinH, F perCosD, F sharpness)
 {
-    const F off = twiceSinH - F(shape.shift[which]);
+    const F off = (twiceSinH - F(shape.shift[which])) * sharpness;
     const F exponent = most(off * off * F(shape.exponent[which]), F(-kLeastExponent));
     return exp2Of(exponent) * F(shape.peak[which]) * perCosD;
 }
@@ -63,19 +64,23 @@ enum class LobeSet
     Forward
 };
 
-/// `depth`: optical depth of the fibre, crossed at right angles. `jitter` shifts the lobes of this one hair.
+/// `depth`: optical depth of the fibre, crossed at right angles. `jitter` shifts the lobes of this one hair, which are
+/// `sharpness` times as narrow as the shape's and as much higher.
 template<LobeSet set, class F>
-HWY_INLINE FibreLobes<F> marschner(const FibreShape& shape, const FibreAngles<F>& at, const Triple<F>& depth, F jitter)
+HWY_INLINE FibreLobes<F> marschner(const FibreShape& shape, const FibreAngles<F>& at, const Triple<F>& depth, F jitter,
+                                   F sharpness = F(1.0F))
 {
     const F one(1.0F);
     const F perCosD = one / at.cosD;
     const F twiceSinH = (at.sinI + at.sinO) * perCosD + jitter;
+    const F height = perCosD * sharpness;
     const F half = at.cosPhi * F(0.5F);
     const F toward = F(0.5F) + half; // cos^2 of half the azimuth.
     const F cosHalf = root(toward);
 
     FibreLobes<F> lobes;
-    lobes.r = longitudinal(shape, 0, twiceSinH, perCosD) * reflectance(at.cosD * cosHalf) * cosHalf * F(0.25F);
+    lobes.r =
+        longitudinal(shape, 0, twiceSinH, height, sharpness) * reflectance(at.cosD * cosHalf) * cosHalf * F(0.25F);
     // Refraction bends inclined rays up, so that their path is at most 1/cos(40 degrees) longer.
     const F sinSquare = one - at.cosD * at.cosD;
     const F way = one + sinSquare * (F(0.186F) + sinSquare * F(0.123F));
@@ -89,10 +94,11 @@ HWY_INLINE FibreLobes<F> marschner(const FibreShape& shape, const FibreAngles<F>
         return fourth * fourth;
     };
     if constexpr (set != LobeSet::Back)
-        lobes.tt = lobes.through * (longitudinal(shape, 1, twiceSinH, perCosD) * entered * eighth(F(0.5F) - half));
+        lobes.tt =
+            lobes.through * (longitudinal(shape, 1, twiceSinH, height, sharpness) * entered * eighth(F(0.5F) - half));
     if constexpr (set != LobeSet::Forward)
         lobes.trt = lobes.through * lobes.through *
-                    (longitudinal(shape, 2, twiceSinH, perCosD) * entered * reflected * eighth(toward));
+                    (longitudinal(shape, 2, twiceSinH, height, sharpness) * entered * reflected * eighth(toward));
     return lobes;
 }
 

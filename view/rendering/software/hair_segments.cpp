@@ -22,7 +22,7 @@ float byteOf(std::uint32_t bits, unsigned shift)
     return static_cast<float>((bits >> shift) & 0xFFU) * (1.0F / 255.0F);
 }
 
-void setStyle(StrandBlock& block, std::size_t lane, const sim::StrandStyle& style)
+void setStyle(StrandBlock& block, std::size_t lane, const sim::StrandStyle& style, const sim::StrandMaterial& material)
 {
     const bool curled = style.turns > 0.0F && style.curlRadiusM > 0.0F;
     const bool braided = style.braid != sim::BraidKind::None && style.braidStart < 1.0F;
@@ -44,6 +44,14 @@ void setStyle(StrandBlock& block, std::size_t lane, const sim::StrandStyle& styl
     block.braidTurns[lane] = style.braidTurns;
     block.wispX[lane] = style.wispOffset.x;
     block.wispY[lane] = style.wispOffset.y;
+    const sim::FrizzOfStyle frizz = sim::frizzOf(style);
+    block.frizzM[lane] = frizz.radiusM;
+    block.frizzRad[lane] = frizz.waveRad;
+    block.anyFrizz = block.anyFrizz || style.frizzM > 0.0F;
+    const sim::Gloss gloss = sim::glossOf(style.gloss);
+    block.shine[lane] = gloss.shine;
+    block.sharpness[lane] = gloss.sharpness;
+    block.perTaper[lane] = sim::perTaperOf(material, style.lengthM);
     block.anyCurl = block.anyCurl || curled;
     block.anyBraid = block.anyBraid || braided;
 }
@@ -76,13 +84,14 @@ void fillBlock(StrandBlock& block, const sim::GroupFrame& group, std::span<const
     block.coils = sim::coilsOf(groom.settings);
     block.anyBraid = false;
     block.anyCurl = false;
+    block.anyFrizz = false;
     const auto nodes = static_cast<std::size_t>(groom.nodes);
     block.nodesWo.resize(nodes * 3 * kBlockLanes);
     const sim::StrandBlocks layout = groom.blocks();
     for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
         // Lanes without a strand are the last one again, of no width.
         const std::uint32_t slot = slots[std::min(lane, slots.size() - 1)];
-        setStyle(block, lane, groom.style(slot));
+        setStyle(block, lane, groom.style(slot), groom.settings.material);
         if (lane >= slots.size())
             block.width[lane] = 0.0F;
 
@@ -91,7 +100,7 @@ void fillBlock(StrandBlock& block, const sim::GroupFrame& group, std::span<const
         for (std::size_t row = 0; row < nodes * 3; ++row)
             to[row * kBlockLanes] = from[row * kBlockLanes];
     }
-    block.anyFrame = block.anyCurl || block.anyBraid;
+    block.anyFrame = block.anyCurl || block.anyBraid || block.anyFrizz;
     if (!block.anyFrame)
         return;
     for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
@@ -115,8 +124,8 @@ bool mayTouchRows(const StrandBlock& block, const StrandView& view, const TileGr
     float nearestM = lowest;
     float radiusM = 0.0F;
     for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
-        radiusM =
-            std::max({radiusM, block.curlRadiusM[lane], block.braid[lane] > 0.0F ? block.braidRadiusM[lane] : 0.0F});
+        radiusM = std::max({radiusM, block.curlRadiusM[lane] + block.frizzM[lane],
+                            block.braid[lane] > 0.0F ? block.braidRadiusM[lane] + block.frizzM[lane] : 0.0F});
         for (std::size_t node = 0; node < static_cast<std::size_t>(block.nodes); ++node) {
             const float* at = block.nodesWo.data() + node * 3 * kBlockLanes + lane;
             const glm::vec4 clip = view.projectionFromWo * glm::vec4(at[0], at[kBlockLanes], at[2 * kBlockLanes], 1.0F);
@@ -213,6 +222,8 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
                       .fraction = group.fraction,
                       .rootAlpha = material.rootAlpha,
                       .tipAlpha = material.tipAlpha,
+                      .tapers = material.taperM > 0.0F,
+                      .tipMix = sim::tipMixOf(material),
                       .variationScale = material.colourVariation,
                       .nearestM = m_nearestM,
                       .depthsPerM = m_depthsPerM,

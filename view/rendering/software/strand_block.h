@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/groom/group_settings.h"
+#include "sim/groom/strand_look.h"
 #include "view/rendering/eye_grid.h"
 #include "view/rendering/light/hair_light.h"
 
@@ -26,7 +27,8 @@ struct alignas(64) StrandBlock
     bool anyBraid = false;
     bool anyCurl = false;
     const sim::CurlSettings* coils = nullptr; ///< See sim::coilsOf.
-    bool anyFrame = false;                    ///< Curled or braided: the frame along the skeleton matters.
+    bool anyFrizz = false;
+    bool anyFrame = false; ///< Curled, braided or frizzy: the frame along the skeleton matters.
     LaneRow turns;
     LaneRow curlRadiusM; ///< 0 where there is no curl.
     LaneRow phase;
@@ -44,6 +46,11 @@ struct alignas(64) StrandBlock
     LaneRow braidTurns;
     LaneRow wispX;
     LaneRow wispY;
+    LaneRow frizzM;
+    LaneRow frizzRad;           ///< sim::FrizzOfStyle
+    LaneRow shine;              ///< Of the group's; 1 where the gloss map says nothing.
+    LaneRow sharpness;          ///< How many times as sharp as the group's the highlights are.
+    LaneRow perTaper;           ///< Lengths of the taper in the strand's, at least 1.
     std::vector<float> nodesWo; ///< [nodes][3][kBlockLanes]
 };
 
@@ -61,6 +68,8 @@ struct StrandView
     float fraction = 1.0F;    ///< Of the hairs that are drawn, as much wider.
     float rootAlpha = 1.0F;
     float tipAlpha = 1.0F;
+    bool tapers = false; ///< Over less than all of their length.
+    sim::TipMix tipMix = {};
     float variationScale = 0.0F;
     float nearestM = 0.0F; ///< Depths run from here, in 16 bits;
     float depthsPerM = 0.0F;
@@ -79,6 +88,17 @@ struct SpanSegments
 {
     std::array<int, kMostNodes> of{};
     int total = 0;
+    /// Where the strands taper, 0..1 in the last span, which then is one segment: the point at its begin moves there. 0
+    /// where it stays.
+    float tipAlong = 0.0F;
+
+    /// Of point `j` of a span's, 0..1 in it.
+    [[nodiscard]] float along(int span, int nodes, int j) const
+    {
+        if (tipAlong > 0.0F && j == 0 && span + 2 == nodes)
+            return tipAlong;
+        return static_cast<float>(j) / static_cast<float>(of[static_cast<std::size_t>(span)]);
+    }
 };
 
 /// Points of sixteen strands, projected and lit. Rows [point][kBlockLanes].

@@ -24,6 +24,9 @@ constexpr float kGreatestWidth = 24.0F; ///< Samples: wider strands would look l
 constexpr float kMostSlant = 1.42F;
 constexpr int kMostJoinedSpans = 4; ///< In one segment: light is known at its ends only.
 constexpr float kNearestDrawnM = 0.01F;
+constexpr float kSegmentsOfDyedSpan = 4.0F; ///< Where the tip colour begins or becomes whole.
+/// Of frizz, in waves of the coarser one, which has a little more than half of the height.
+constexpr float kFollowedWaves = 0.5F * (1.0F + sim::kFrizzFiner);
 
 static_assert(kMostLanes == kBlockLanes);
 
@@ -39,6 +42,26 @@ HWY_INLINE Triple<Lanes> projected(const glm::mat4& m, const Triple<Lanes>& p, f
 HWY_INLINE Lanes biggest(Lanes a)
 {
     return Lanes(hn::MaxOfLanes(Tag(), a.v));
+}
+
+/// Where a last segment as long as its span would thin out over too much, and the hair is straight enough there.
+float tipAlongOf(const StrandView& view, const StrandBlock& block, const SpanSegments& segments,
+                 const std::array<float, kMostNodes>& bendAt)
+{
+    const auto spans = static_cast<std::size_t>(block.nodes) - 1;
+    if (!view.tapers || spans < 3 || segments.of.at(spans - 1) != 1 || segments.of.at(spans - 2) == 0)
+        return 0.0F;
+    constexpr float kTwoSpans = 4.0F; // Of a span's distance between chord and curve.
+    if (kTwoSpans * std::max(bendAt.at(spans - 1), bendAt.at(spans - 2)) > 8.0F * view.toleranceSp)
+        return 0.0F;
+    float taper = 0.0F; // Of the strands, in spans.
+    float strands = 0.0F;
+    for (std::size_t lane = 0; lane < kMostLanes; ++lane)
+        if (block.width[lane] > 0.0F) {
+            taper += static_cast<float>(spans) / block.perTaper[lane];
+            strands += 1.0F;
+        }
+    return std::max(1.0F - taper / std::max(strands, 1.0F), 0.0F);
 }
 
 void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegments& segments)
@@ -74,6 +97,10 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
             const Lanes plaited = loaded(block.braidTurns.data() + lane) *
                                   most(braid * Lanes(2.0F * 3.1416F), Lanes(16.0F)) /
                                   most(Lanes(1.0F) - loaded(block.braidStart.data() + lane), Lanes(0.1F));
+            if (block.anyFrizz) // What strays by less than a sample needs few.
+                wanted =
+                    most(wanted, loaded(block.frizzRad.data() + lane) *
+                                     root(loaded(block.frizzM.data() + lane) * scale) * Lanes(0.5F * kFollowedWaves));
             wanted = most(wanted, select(loaded(block.braid.data() + lane) > Lanes(0.5F), plaited, Lanes(0.0F)));
             turnSegments = std::max(turnSegments, hn::GetLane(biggest(select(there, wanted, Lanes(0.0F))).v));
         }
@@ -81,24 +108,29 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
     const int spans = block.nodes - 1;
     const float turnsOfSpan = std::floor(turnSegments / static_cast<float>(spans) + 0.6F);
     // A run of n spans whose curve has second differences up to d lies n^2 d/8 beside its chord.
+    const bool isPlain = !view.tipMix.bendsWithin(0.0F, 1.0F);
     int run = 1;
     float bendOfRun = 0.0F;
     segments.total = 0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(spans); ++k) {
         const float bend = std::max(bendAt.at(k), bendAt.at(k + 1));
-        const float wanted = std::max(std::ceil(std::sqrt(bend / (8.0F * view.toleranceSp))), turnsOfSpan);
+        const bool isDyed = view.tipMix.bendsWithin(static_cast<float>(k) / static_cast<float>(spans),
+                                                    static_cast<float>(k + 1) / static_cast<float>(spans));
+        const float wanted = std::max(
+            {std::ceil(std::sqrt(bend / (8.0F * view.toleranceSp))), turnsOfSpan, isDyed ? kSegmentsOfDyedSpan : 0.0F});
         segments.of.at(k) = static_cast<int>(std::clamp(wanted, 1.0F, static_cast<float>(kMostOfSpan)));
         const auto longer = static_cast<float>((run + 1) * (run + 1));
         bendOfRun = std::max(bendOfRun, bendAt.at(k));
-        const bool joins = run < kMostJoinedSpans && longer * bendOfRun <= 8.0F * view.toleranceSp && k > 0 &&
-                           k + 1 < static_cast<std::size_t>(spans) && turnsOfSpan < 1.0F && segments.of.at(k) == 1 &&
-                           segments.of.at(k - 1) <= 1;
+        const bool joins = isPlain && run < kMostJoinedSpans && longer * bendOfRun <= 8.0F * view.toleranceSp &&
+                           k > 0 && k + 1 < static_cast<std::size_t>(spans) && turnsOfSpan < 1.0F &&
+                           segments.of.at(k) == 1 && segments.of.at(k - 1) <= 1;
         if (joins)
             segments.of.at(k) = 0;
         run = joins ? run + 1 : 1;
         bendOfRun = joins ? bendOfRun : 0.0F;
         segments.total += segments.of.at(k);
     }
+    segments.tipAlong = tipAlongOf(view, block, segments, bendAt);
 }
 
 /// Square root of the light's part of the most in 10 bits.
@@ -129,6 +161,10 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
     const Lanes variation = loaded(block.variation.data() + lane);
     const Lanes turned = turnedBy(variation);
     const Lanes order = loaded(block.order.data() + lane);
+    const Lanes shine = loaded(block.shine.data() + lane);
+    const Lanes sharpness = loaded(block.sharpness.data() + lane);
+    const Lanes perTaper = loaded(block.perTaper.data() + lane);
+    const Lanes beforeTaper = Lanes(1.0F) - perTaper;
     const Lanes lightness = exp2Of(variation * Lanes(3.0F * view.variationScale));
     const auto colourOf = [&](const std::array<LaneRow, 3>& rows) {
         return Triple<Lanes>{linearFromSrgb(loaded(rows[0].data() + lane)),
@@ -184,16 +220,17 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
         const Lanes squareX = alongX * alongX;
         const Lanes squareY = alongY * alongY;
         const Lanes slant = root((squareX + squareY) / most(most(squareX, squareY), Lanes(1e-20F)));
-        const float alpha = view.rootAlpha + (view.tipAlpha - view.rootAlpha) * s * s;
-        const Lanes width =
-            least(spread * perW * Lanes(alpha), Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
+        const Lanes thinning = most(Lanes(s) * perTaper + beforeTaper, Lanes(0.0F));
+        const Lanes alpha = Lanes(view.rootAlpha) + Lanes(view.tipAlpha - view.rootAlpha) * thinning * thinning;
+        const Lanes width = least(spread * perW * alpha, Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
         stored(select(seen, width, Lanes(0.0F)), out.width.data() + row);
 
         const Lanes behind = most(columnAt(view.opacity[1], view.gridSide, toEye) - towardEye, Lanes(0.0F));
+        const Lanes tip(view.tipMix.at(s));
         const Triple<Lanes> lit =
-            hairLight(view.lighting, HairPoint<Lanes>{here, tangent, rootLight + (tipLight - rootLight) * Lanes(s),
-                                                      rootDepth + (tipDepth - rootDepth) * Lanes(s), turned,
-                                                      towardLight, towardEye, behind});
+            hairLight(view.lighting, HairPoint<Lanes>{here, tangent, rootLight + (tipLight - rootLight) * tip,
+                                                      rootDepth + (tipDepth - rootDepth) * tip, turned, towardLight,
+                                                      towardEye, behind, shine, sharpness});
         const Ints packed =
             hn::Or(hn::Or(tenBits(lit.x), hn::ShiftLeft<10>(tenBits(lit.y))), hn::ShiftLeft<20>(tenBits(lit.z)));
         hn::StoreU(packed, di, reinterpret_cast<std::int32_t*>(out.colour.data()) + row);
@@ -243,7 +280,7 @@ void drawnPoints(const StrandView& view, const StrandBlock& block, const SpanSeg
     for (std::size_t k = 0; k + 1 < static_cast<std::size_t>(block.nodes); ++k)
         for (int j = 0; j < segments.of.at(k); ++j)
             points.fraction[point++] =
-                (static_cast<float>(k) + static_cast<float>(j) / static_cast<float>(segments.of.at(k))) * perSpan;
+                (static_cast<float>(k) + segments.along(static_cast<int>(k), block.nodes, j)) * perSpan;
     points.fraction[point] = 1.0F;
     HWY_DYNAMIC_DISPATCH(pointsOfAll)(view, block, segments, points);
 }

@@ -1,0 +1,83 @@
+// How a hair looks beside its colour, and how that changes from root to tip. Renderers and exports have the same law.
+#pragma once
+
+#include "sim/groom/group_settings.h"
+#include "sim/groom/map_slot.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace hairpaint::sim {
+
+/// How many times as long as its taper a hair is, at least 1: it thins out over the last part of that. 1 without a
+/// taper.
+[[nodiscard]] inline float perTaperOf(const StrandMaterial& material, float lengthM)
+{
+    return material.taperM > 0.0F ? std::max(lengthM / material.taperM, 1.0F) : 1.0F;
+}
+
+/// Part of the diameter that is left at fraction s of the hair; as opacity it is that of a hair of whole width.
+[[nodiscard]] inline float thinnedAt(const StrandMaterial& material, float perTaper, float s)
+{
+    const float t = std::max(s * perTaper + (1.0F - perTaper), 0.0F);
+    return glm::mix(material.rootAlpha, material.tipAlpha, t * t);
+}
+
+/// Of the group's shine, and of how sharp its highlights are: exactly 1 where nothing is painted.
+struct Gloss
+{
+    float shine = 1.0F;
+    float sharpness = 1.0F;
+};
+
+/// `value` as the map has it: at 0 a hair is matte, at 65535 it mirrors.
+[[nodiscard]] constexpr Gloss glossOf(std::uint16_t value)
+{
+    constexpr float kMostShine = 2.0F;
+    constexpr float kMostSharpness = 2.5F;
+    constexpr float kLeastSharpness = 0.4F;
+    constexpr float kNeutral = ruleOf(MapSlot::Gloss).defaultValue[0];
+    const auto given = static_cast<float>(value);
+    if (given <= kNeutral) {
+        const float part = given / kNeutral - 1.0F;
+        return {.shine = 1.0F + part, .sharpness = 1.0F + (1.0F - kLeastSharpness) * part};
+    }
+    const float part = (given - kNeutral) / (65535.0F - kNeutral);
+    return {.shine = 1.0F + (kMostShine - 1.0F) * part, .sharpness = 1.0F + (kMostSharpness - 1.0F) * part};
+}
+
+/// The group's roughness where a hair's highlights are as sharp as its gloss says.
+[[nodiscard]] inline float roughnessOf(const StrandMaterial& material, std::uint16_t gloss)
+{
+    constexpr float kLeast =
+        0.02F; // Widths of highlights are that + kGrowth roughness: view/rendering/light/fibre_shape.h
+    constexpr float kGrowth = 0.18F;
+    const float sharpness = glossOf(gloss).sharpness;
+    if (sharpness == 1.0F)
+        return material.roughness;
+    return std::clamp(((kLeast + kGrowth * material.roughness) / sharpness - kLeast) / kGrowth, 0.0F, 1.0F);
+}
+
+/// The tip colour's part of the whole at fraction s: clamp(s scale + offset) to 0..1.
+struct TipMix
+{
+    float scale = 1.0F;
+    float offset = 0.0F;
+    [[nodiscard]] float at(float s) const { return std::clamp(s * scale + offset, 0.0F, 1.0F); }
+    /// Whether it bends between two fractions, so that it is not told by its values there.
+    [[nodiscard]] bool bendsWithin(float from, float to) const
+    {
+        const auto isWithin = [&](float s) { return s > from + 1e-3F && s < to - 1e-3F; };
+        return isWithin(-offset / scale) || isWithin((1.0F - offset) / scale);
+    }
+};
+[[nodiscard]] inline TipMix tipMixOf(const StrandMaterial& material)
+{
+    constexpr float kSharpest = 1e-3F; ///< Of the length: a line.
+    const float scale = 1.0F / std::max(material.tipOver * (1.0F - material.tipFrom), kSharpest);
+    return {.scale = scale, .offset = material.tipFrom * -scale};
+}
+
+} // namespace hairpaint::sim
