@@ -4,6 +4,7 @@
 #include "model/styles/style_transfer.h"
 #include "sim/skin/head_warp.h"
 
+#include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
 namespace hairpaint::model {

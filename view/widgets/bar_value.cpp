@@ -4,6 +4,7 @@
 #include "view/look/theme.h"
 #include "view/widgets/bar_picture.h"
 
+#include <QEvent>
 #include <QLocale>
 #include <QPainter>
 
