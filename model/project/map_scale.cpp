@@ -18,7 +18,6 @@ using sim::GroupSettings;
 
 constexpr double kPerSquareCm = 1e-4;
 constexpr double kShortGroupM = 0.03; ///< Groups with shorter hair are measured in mm.
-constexpr double kCoilsPerM = 0.1;    ///< The length that turns of coils are counted over.
 constexpr double kSparse = 20.0;      ///< Hairs a square centimetre, of which tenths count.
 
 constexpr double kLeastWidth = 30.0; ///< Per cent of the group's, as sim::widthOf has it.
@@ -65,7 +64,7 @@ QString turnsUnit(const GroupSettings& settings)
     if (settings.turnsMode == sim::TurnsMode::PerHair)
         return Units::tr("turns");
     if (settings.turnsMode == sim::TurnsMode::Coils)
-        return Units::tr("turns per %1 cm").arg(QLocale().toString(kCoilsPerM * 100.0, 'g', 3));
+        return QStringLiteral("%"); // Of the turns that the group's pitch makes.
     return Units::tr("turns per %1 cm")
         .arg(QLocale().toString(static_cast<double>(settings.turnsPerLengthM) * 100.0, 'g', 3));
 }
@@ -73,8 +72,13 @@ QString turnsUnit(const GroupSettings& settings)
 double turnsAt(const GroupSettings& settings, double red)
 {
     if (settings.turnsMode == sim::TurnsMode::Coils)
-        return red * kCoilsPerM / static_cast<double>(settings.curl.pitchM);
+        return red * 100.0;
     return static_cast<double>(sim::turnsOfCurl(static_cast<float>(red), false));
+}
+
+std::span<const double> turnSteps(const GroupSettings& settings)
+{
+    return settings.turnsMode == sim::TurnsMode::Coils ? std::span<const double>{} : kTurnSteps;
 }
 
 /// The table rises from level to level.
@@ -129,7 +133,7 @@ const MapScale kTurnsScale{.unit = turnsUnit,
                            .decimals = always<1>,
                            .shown = turnsAt,
                            .value = redOf,
-                           .steps = kTurnSteps,
+                           .steps = turnSteps,
                            .sliderExponent = 2.0};
 
 const MapScale kRadiusScale{

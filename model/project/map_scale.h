@@ -17,8 +17,9 @@ struct MapScale
     /// From a map's 0..1 to the number shown, and back; a number beyond the range gives a value beyond 0..1.
     double (*shown)(const sim::GroupSettings& settings, double value);
     double (*value)(const sim::GroupSettings& settings, double shown);
-    std::span<const double> steps = {}; ///< Values to offer; empty: round ones of the range.
-    double sliderExponent = 1.0;        ///< Above 1: low values get more of a slider.
+    /// Values to offer; null or empty: round ones of the range.
+    std::span<const double> (*steps)(const sim::GroupSettings& settings) = nullptr;
+    double sliderExponent = 1.0; ///< Above 1: low values get more of a slider.
     /// One of the unit shown, in a unit that is the same for all groups; null: they show the same one.
     double (*common)(const sim::GroupSettings& settings) = nullptr;
 

@@ -48,8 +48,9 @@ constexpr double kWholeTurnDeg = 360.0;
 /// Round numbers of the map's own unit from nothing to the greatest value.
 std::vector<double> roundSteps(const sim::GroupSettings& settings, MapKind map)
 {
-    if (const std::span<const double> steps = model::mapSpec(map).scale->steps; !steps.empty())
-        return {steps.begin(), steps.end()};
+    if (const auto offered = model::mapSpec(map).scale->steps)
+        if (const std::span<const double> steps = offered(settings); !steps.empty())
+            return {steps.begin(), steps.end()};
     const ValueUnit unit = valueUnit(settings, map);
     const double range = unit.maximum - unit.minimum;
     std::vector<double> steps{unit.minimum};

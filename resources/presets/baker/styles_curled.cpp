@@ -41,8 +41,8 @@ Style ringlets()
     style.settings.curl.pitchM = 0.050F;
     style.settings.curl.inStepFromM = 0.010F;
     style.settings.curl.skips = 0.04F;
-    style.settings.curl.gather = 0.93F;
-    style.settings.locks.sizeM = 0.018F;
+    style.settings.curl.gather = 0.96F;
+    style.settings.locks = {.sizeM = 0.020F, .parting = 0.15F};
     // Locks hold together: what differs within one blurs it.
     style.settings.variation.crossing = 0.02F;
     style.settings.variation.curl = 0.05F;
