@@ -159,11 +159,9 @@ bool CurveSet::measure(float toleranceM, const Progress& progress)
 void CurveSet::keepTaper(const Curve& curve, std::vector<std::uint16_t>& kept) const
 {
     const float perTaper = sim::perTaperOf(material(curve), groom(curve).style(curve.slot).lengthM);
-    if (perTaper <= 1.0F)
-        return;
+    // Between the first and the last, which are kept; the first of a hair without a taper.
     const auto begins = static_cast<std::uint16_t>(static_cast<float>(curve.segments) * (1.0F - 1.0F / perTaper));
-    const auto at = std::ranges::lower_bound(kept, begins);
-    if (at != kept.end() && *at != begins)
+    if (const auto at = std::ranges::lower_bound(kept, begins); *at != begins)
         kept.insert(at, begins);
 }
 

@@ -202,6 +202,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 500, kPatienceMs);
         key(Qt::Key_F8); // It stands as it grows.
         awaitNewestHair();
+        awaitFinePicture();
         const std::size_t count = hairs();
         const QImage usual = picture();
         const auto rows = m_window->findChildren<view::MapRow*>();
@@ -223,13 +224,16 @@ private Q_SLOTS:
         QCOMPARE(stack().count(), 2);
         awaitNewestHair();
         QCOMPARE(hairs(), count);
+        awaitFinePicture();
         const double painted = changed();
         QVERIFY(painted > kSeen);
         undo();
         awaitNewestHair();
+        awaitFinePicture();
         QVERIFY2(changed() < 0.1 * painted, qPrintable(QStringLiteral("%1 of %2").arg(changed()).arg(painted)));
         redo();
         awaitNewestHair();
+        awaitFinePicture();
         QCOMPARE(hairs(), count);
         QVERIFY(changed() > 0.9 * painted);
         undo();

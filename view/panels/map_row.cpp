@@ -76,10 +76,10 @@ void MapRow::paintEvent(QPaintEvent* /*event*/)
         font.setWeight(QFont::DemiBold);
     painter.setFont(themeFont(TextRole::Status));
     painter.setPen(theme.dimText);
-    // The name goes before the size, which the tooltip has too.
+    // The name goes before the size, which the tooltip has too, and before the range, which the legend has.
     const double room = text.width() - QFontMetricsF(font).horizontalAdvance(this->text()) - 8.0;
-    const bool fits = painter.fontMetrics().horizontalAdvance(m_rangeAndSize) <= room;
-    const QString& shown = fits ? m_rangeAndSize : m_range;
+    const auto fits = [&](const QString& words) { return painter.fontMetrics().horizontalAdvance(words) <= room; };
+    const QString shown = fits(m_rangeAndSize) ? m_rangeAndSize : fits(m_range) ? m_range : QString();
     painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, shown);
     text.setWidth(text.width() - painter.fontMetrics().horizontalAdvance(shown) - 8.0);
     painter.setFont(font);
