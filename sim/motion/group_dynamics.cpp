@@ -185,7 +185,6 @@ void GroupDynamics::hang(const StrandState& state, std::size_t strand, std::span
                                .stiffnessM = m_groom->settings.physics.stiffnessM,
                                .girthM = state.field(strand, kGirth),
                                .styled = std::min(hold / (kHeldFully + hold), 1.0F),
-                               .sheds = m_groom->settings.physics.body > 0.0F,
                                .downHd = downHd};
     hangStrand(nodesHd, restHd, wanted, m_colliders, scales);
 }

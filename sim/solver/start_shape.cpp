@@ -25,32 +25,6 @@ glm::vec3 outOfSkin(const DistanceGrid& grid, const glm::vec3& node, float clear
     return node + sample->gradient * ((clearanceM - sample->distanceM) / slope2);
 }
 
-/// Where hair goes on that comes down on a shoulder at `parent`, about to go by `along`: downhill, but no further to
-/// the side, where its weight would draw it out like a tent.
-glm::vec3 overShoulder(const DistanceGrid& grid, const HangingStrand& strand, const glm::vec3& root,
-                       const glm::vec3& parent, const glm::vec3& along)
-{
-    constexpr float kFarBelowM = 0.08F;
-    constexpr float kNearM = 0.002F;
-    constexpr float kFacesUp = 0.3F;
-    constexpr float kRidge = 0.3F; // On the ridge of a shoulder it falls to the side that it grew on.
-    if (glm::dot(parent - root, strand.downHd) < kFarBelowM)
-        return along;
-    const std::optional<DistanceGrid::Sample> sample = grid.at(parent + along * strand.segmentM);
-    if (!sample || sample->distanceM > kNearM)
-        return along;
-    const glm::vec3 normal = unitOr(sample->gradient, -strand.downHd);
-    const float up = -glm::dot(normal, strand.downHd);
-    if (up < kFacesUp)
-        return along;
-    glm::vec3 downhill = strand.downHd + normal * up;
-    if (downhill.x * parent.x > 0.0F)
-        downhill.x = 0.0F;
-    if (std::abs(downhill.z) < kRidge)
-        downhill.z = root.z < parent.z ? -kRidge : kRidge;
-    return unitOr(downhill, along);
-}
-
 } // namespace
 
 void hangStrand(std::span<glm::vec3> nodesHd, std::span<const glm::vec3> restHd, const HangingStrand& strand,
@@ -63,9 +37,7 @@ void hangStrand(std::span<glm::vec3> nodesHd, std::span<const glm::vec3> restHd,
         // Carried over one such length, hanging after three.
         const float carried = strand.segmentM * static_cast<float>(i) / std::max(strand.stiffnessM, 1e-3F);
         const float hangs = std::clamp((carried - 1.0F) * 0.5F, 0.0F, 1.0F);
-        glm::vec3 direction = unitOr(along + (strand.downHd - along) * hangs, strand.downHd);
-        if (strand.sheds && colliders.grid)
-            direction = overShoulder(*colliders.grid, strand, nodesHd[0], parent, direction);
+        const glm::vec3 direction = unitOr(along + (strand.downHd - along) * hangs, strand.downHd);
         const float clearanceM =
             kSkinClearanceM + std::min(strand.girthM, kGirthSlope * strand.segmentM * static_cast<float>(i));
         glm::vec3 node = parent + direction * strand.segmentM;

@@ -16,7 +16,6 @@ struct HangingStrand
     float stiffnessM = 0.05F; ///< See PhysicsSettings.
     float girthM = 0.0F;      ///< Half the thickness of the braid about it; 0: a hair.
     float styled = 0.0F;      ///< 0..1: how far the rest shape is held.
-    bool sheds = false; ///< What it lands on far below its root it leaves to the front or the back, not to the side.
     glm::vec3 downHd{0.0F, -1.0F, 0.0F};
 };
 

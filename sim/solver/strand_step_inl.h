@@ -90,6 +90,8 @@ HWY_INLINE Lanes3 placeNode(const GroupGains& gains, const ColliderSet& collider
     Yes ofSkin = contact.touched;
     if (collide(obstacles, p, contact, ofSkin)) {
         p = rubbed(gains, contact, start, p);
+        if (rows.body != nullptr)
+            p = heldBeside(contact, loaded3(rows.rest), start, p);
         p = select(contact.touched, atLength(parent, p, length, lie), p);
         Contact second = noContact();
         if (collideAgain(obstacles, p, second, ofSkin))

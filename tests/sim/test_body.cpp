@@ -132,6 +132,7 @@ private Q_SLOTS:
     void layersDoNotSinkIntoEachOther();
     void aLockDragsItsNeighbours();
     void theCoatKeepsItsThickness();
+    void onAShoulderItDoesNotStandOffToTheSide();
     void atRestNothingCreepsAndNoGridIsMade();
     void aStormOfTenMinutesStaysBounded();
     void threadsMakeNoDifference();
@@ -219,6 +220,33 @@ void TestBody::theCoatKeepsItsThickness()
     simulation.setWind({});
     simulation.settle(4.0);
     QVERIFY(keeps());
+}
+
+void TestBody::onAShoulderItDoesNotStandOffToTheSide()
+{
+    // Long hair comes down on one side of a ball that is a shoulder.
+    std::vector<HandStrand> strands;
+    for (int i = 0; i < 32; ++i)
+        strands.push_back(
+            {.rootHd = {0.03F + 0.001F * static_cast<float>(i % 8), 0.3F, 0.004F * static_cast<float>(i / 8)},
+             .directionHd = {0.0F, -1.0F, 0.0F},
+             .lengthM = 0.4F});
+    const ColliderSet shoulder = prepareColliders({}, DistanceGrid::make(makeBallHead(64, 0.1F)));
+    const auto reach = [&](float body) {
+        PhysicsSettings physics;
+        physics.body = body;
+        physics.friction = 0.1F;
+        GroupDynamics hair;
+        hair.setGroom(crowdOf(strands, 1, physics), shoulder, WindField::calm({}));
+        hair.reset();
+        fall(hair, 240);
+        float sum = 0.0F;
+        for (std::size_t i = 0; i < strands.size(); ++i)
+            sum += nodeOf(hair, i, kLayerNodes - 1).x;
+        return sum / static_cast<float>(strands.size());
+    };
+    QVERIFY2(reach(0.0F) > 0.07F, qPrintable(QString::number(reach(0.0F))));
+    QVERIFY2(reach(0.5F) < 0.05F, qPrintable(QString::number(reach(0.5F))));
 }
 
 void TestBody::atRestNothingCreepsAndNoGridIsMade()
