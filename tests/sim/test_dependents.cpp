@@ -15,7 +15,7 @@ using namespace hairpaint::test;
 
 namespace {
 
-constexpr int kHairs = 3000;
+constexpr int kFollowers = 3000;
 
 void blow(Simulation& simulation)
 {
@@ -41,13 +41,13 @@ private Q_SLOTS:
 void TestDependents::dependentsKeepTheirLengthAndStayOutside()
 {
     Simulation simulation;
-    simulation.setInput(paintedBall(kHairs, 300));
+    simulation.setInput(paintedBall(kFollowers, 300));
     blow(simulation);
     const StrandFrame frame = frameOf(simulation);
     float worst = 0.0F;
     float deepest = 0.0F;
     std::size_t hairs = 0;
-    for (std::size_t slot = 0; slot < kHairs; ++slot) {
+    for (std::size_t slot = 0; slot < kFollowers; ++slot) {
         const std::vector<glm::vec3> nodes = nodesOf(frame, slot);
         hairs += nodes.size() > 1 ? 1 : 0;
         for (std::size_t i = 1; i < nodes.size(); ++i) {
@@ -56,14 +56,14 @@ void TestDependents::dependentsKeepTheirLengthAndStayOutside()
             deepest = std::max(deepest, 0.1F - glm::length(nodes[i]));
         }
     }
-    QCOMPARE(hairs, std::size_t{kHairs});
+    QCOMPARE(hairs, std::size_t{kFollowers});
     QVERIFY2(worst < 1e-4F, qPrintable(QString::number(worst)));
     QVERIFY2(deepest < 0.003F, qPrintable(QString::number(deepest)));
 }
 
 void TestDependents::locksHoldTheirHairInStorm()
 {
-    GroomInput input = paintedBall(kHairs, 300);
+    GroomInput input = paintedBall(kFollowers, 300);
     input.groups.front().settings.locks.sizeM = 0.03F; // Some 140 locks.
     input.groups.front().maps[MapSlot::Clump] = mapOfTexel(1, {65535});
     Simulation simulation;
@@ -73,9 +73,8 @@ void TestDependents::locksHoldTheirHairInStorm()
         const Groom& groom = *frame.groups.front().groom;
         int held = 0;
         int all = 0;
-        for (std::uint32_t slot = 0; slot < kHairs; ++slot) {
-            const std::uint32_t leader =
-                groom.roots->basisSlot[groom.chunks[chunkOf(slot)]->lockLeader[inChunk(slot)]];
+        for (std::uint32_t slot = 0; slot < kFollowers; ++slot) {
+            const std::uint32_t leader = groom.roots->basisSlot[groom.chunks[chunkOf(slot)]->lockLeader[inChunk(slot)]];
             const std::vector<glm::vec3> nodes = nodesOf(frame, slot);
             const std::vector<glm::vec3> leads = nodesOf(frame, leader);
             if (leader == slot || nodes.empty() || leads.empty())
@@ -98,7 +97,7 @@ void TestDependents::locksHoldTheirHairInStorm()
 
 void TestDependents::braidedHairFollowsItsCentre()
 {
-    GroomInput input = paintedBall(kHairs, 600);
+    GroomInput input = paintedBall(kFollowers, 600);
     input.groups.front().maps[MapSlot::Braid] = mapOfTexel(1, {1});
     Simulation simulation;
     simulation.setInput(input);
@@ -109,7 +108,7 @@ void TestDependents::braidedHairFollowsItsCentre()
     std::size_t braided = 0;
     glm::vec3 tips[2] = {glm::vec3(0.0F), glm::vec3(0.0F)};
     std::uint32_t centreOfFirst = kNoCentre;
-    for (std::size_t slot = 0; slot < kHairs; ++slot) {
+    for (std::size_t slot = 0; slot < kFollowers; ++slot) {
         const StrandChunk& chunk = *groom.chunks[chunkOf(slot)];
         const std::size_t local = inChunk(slot);
         const std::uint32_t centre = chunk.braidCentre[local];
@@ -138,7 +137,7 @@ void TestDependents::braidedHairFollowsItsCentre()
 
 void TestDependents::hairFollowsBasisHairsThatChangeInOtherChunks()
 {
-    GroomInput input = paintedBall(kHairs, 300);
+    GroomInput input = paintedBall(kFollowers, 300);
     GroomBuilder builder;
     const auto before = builder.update(input).grooms[0];
     paintSquare(input.groups.front().maps[MapSlot::Length], {0.4F, 0.4F}, {0.5F, 0.5F}, 20000);
@@ -188,7 +187,7 @@ void TestDependents::hairFollowsBasisHairsThatChangeInOtherChunks()
 void TestDependents::longHairThatLiesAsNoneAroundHangsWithThem()
 {
     GroomBuilder builder;
-    const auto even = builder.update(paintedBall(kHairs, 300)).grooms[0];
+    const auto even = builder.update(paintedBall(kFollowers, 300)).grooms[0];
     constexpr std::size_t kLoner = 77;
     const auto last = static_cast<std::size_t>(even->nodes - 1);
     const StrandBlocks layout = even->blocks();

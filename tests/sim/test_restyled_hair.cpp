@@ -15,14 +15,14 @@ using namespace hairpaint::test;
 
 namespace {
 
-constexpr int kHairs = 1500;
-constexpr int kBasis = 500;
+constexpr int kRestyledHairs = 1500;
+constexpr int kRestyledBasis = 500;
 constexpr double kFrame = 1.0 / 60.0;
 
 /// 20 cm of hair on one ball, which grows to one side.
 GroomInput combed(float direction)
 {
-    static const GroomInput ball = paintedBall(kHairs, kBasis);
+    static const GroomInput ball = paintedBall(kRestyledHairs, kRestyledBasis);
     GroomInput input = ball;
     input.groups.front().maps[MapSlot::Direction] = mapOfTexel(2, texelOfDirection({direction, 0.0F}));
     return input;
