@@ -301,18 +301,20 @@ HWY_INLINE void readNode(const std::int32_t* HWY_RESTRICT first, const std::arra
 }
 
 constexpr float kDenseFriction = 0.12F; ///< Fraction of the velocity against hair that is too dense that a step takes.
-constexpr float kMostFriction = 0.24F;  ///< Over the steps of a grid no more than what there is.
+constexpr float kMostFriction = 0.19F;  ///< Over the steps of a grid no more than what there is.
 constexpr float kSettlingSteps = 20.0F; ///< The contact of a strand that lay still for so long stays as it is.
 constexpr float kSlowChange = 0.01F;    ///< By so much the contact of a node at rest changes with a grid,
 constexpr float kChangePerM = 300.0F;   ///< and by so much more of one that moves, for a metre a step.
 
-/// What hair around does to a node that moved by `velocity` in the last step, into rows of kLanes floats.
-HWY_INLINE void meetHair(const BodyGains& gains, const BodyAtNodes& at, Lanes perRest, const Lanes3& velocity,
-                         Yes settling, float* HWY_RESTRICT out)
+/// What hair around does to a node that moved by `velocity` in the last step, at its velocity and its contact. Returns
+/// whether any is in contact with it.
+HWY_INLINE bool meetHair(const BodyGains& gains, const BodyAtNodes& at, Lanes perRest, const Lanes3& velocity,
+                         Lanes still, float* HWY_RESTRICT previous, float* HWY_RESTRICT contact)
 {
     Lanes hair;
     Lanes3 momentum;
     hn::LoadInterleaved4(Tag(), at.values, hair.v, momentum.x.v, momentum.y.v, momentum.z.v);
+    const Yes awake = still < kStillSteps;
     const Lanes3 around = momentum * (kBodyFastestM / most(hair, 1.0F));
     const Lanes above = hair * perRest - (1.0F + kBodyDeadBand);
     Lanes friction(gains.friction);
@@ -326,16 +328,19 @@ HWY_INLINE void meetHair(const BodyGains& gains, const BodyAtNodes& at, Lanes pe
         const Lanes even = hair * kEven;
         outward = slope * (much * -1.0F / root(most(dot(slope, slope) + even * even, 1.0F)));
     }
-    stored3((around - velocity) * friction, out);
-    const Lanes3 before = loaded3(out + 3 * kLanes);
+    const Lanes3 taken = (around - velocity) * (friction * static_cast<float>(kStepsAGrid));
+    stored3(loaded3(previous) - select(awake, taken, Lanes3{0.0F, 0.0F, 0.0F}), previous);
+    const Lanes3 before = loaded3(contact);
     const Lanes3 change = outward - before;
     const Lanes change2 = dot(change, change);
     if (any(change2 > 0.0F)) {
         // A contact that answered at once to every tenth of a millimetre, a grid late, would swing for ever.
-        const Lanes limit = select(settling, 0.0F, kSlowChange + root(dot(velocity, velocity)) * kChangePerM);
+        const Lanes limit =
+            select(still >= kSettlingSteps, 0.0F, kSlowChange + root(dot(velocity, velocity)) * kChangePerM);
         outward = before + change * least(Lanes(1.0F), limit / root(most(change2, 1e-12F)));
     }
-    stored3(outward, out + 3 * kLanes);
+    stored3(outward, contact);
+    return any(dot(outward, outward) > 0.0F);
 }
 
 void PushBody(const BodyNodes& nodes, const BodyGrid& grid, const BodyPush& push, std::size_t begin, std::size_t end)
@@ -346,12 +351,15 @@ void PushBody(const BodyNodes& nodes, const BodyGrid& grid, const BodyPush& push
     HWY_ALIGN std::int32_t index[kLanes];
     HWY_ALIGN float t[3 * kLanes];
     BodyAtNodes read;
-    for (std::size_t block = begin; block < end; ++block)
+    for (std::size_t block = begin; block < end; ++block) {
+        bool isDense = false;
+        bool isWhole = true;
         for (std::size_t lane = 0; lane < kLanes; lane += width) {
             const Lanes still = loaded(push.still + block * push.stillStride + lane);
-            if (all(still >= kStillSteps))
+            if (all(still >= kStillSteps)) {
+                isWhole = false;
                 continue;
-            const Yes settling = still >= kSettlingSteps;
+            }
             for (std::size_t node = kFirstPushedNode; node < count; ++node) {
                 const std::size_t at = (block * count + node) * StrandBlocks::kNodeStride + lane;
                 const MovingNode moving = nodeAt(nodes, at);
@@ -362,10 +370,12 @@ void PushBody(const BodyNodes& nodes, const BodyGrid& grid, const BodyPush& push
                     readNode(grid.cells + std::size_t{4} * static_cast<std::size_t>(index[i]), offsets, t, i, read);
                 const Lanes perRest =
                     loaded(push.perRest + (block * count + node) * kLanes + lane) * push.densityPerUnit;
-                meetHair(push.gains, read, perRest, moving.velocity, settling,
-                         push.out + (block * count + node) * kBodyRows * kLanes + lane);
+                isDense |=
+                    meetHair(push.gains, read, perRest, moving.velocity, still, push.previous + at, push.contact + at);
             }
         }
+        push.dense[block] = isDense || (!isWhole && push.dense[block] != 0) ? 1 : 0;
+    }
 }
 
 } // namespace hairpaint::sim::HWY_NAMESPACE

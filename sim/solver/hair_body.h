@@ -24,10 +24,11 @@ public:
     /// The hair is elsewhere than it was: no pushes until the next grid, which is made with the next step.
     void forget();
     /// Before a step; makes a grid where it is time for one. Returns how many steps of `wanted` its pushes are for.
-    [[nodiscard]] std::size_t meet(const StrandState& state, std::size_t wanted);
+    [[nodiscard]] std::size_t meet(StrandState& state, std::size_t wanted);
 
     /// See SolverBlocks.
-    [[nodiscard]] const float* rows() const { return m_rows.data(); }
+    [[nodiscard]] const float* contact() const { return m_contact.data(); }
+    [[nodiscard]] const std::uint8_t* dense() const { return m_dense.data(); }
     [[nodiscard]] std::uint64_t gridsMade() const { return m_gridsMade; }
 
 private:
@@ -46,11 +47,12 @@ private:
     float m_metresPerUnit = 0.0F; ///< Length of hair that a unit of the grid stands for.
     BodyGains m_gains;
     BodyGrid m_grid;
-    std::vector<Cells> m_parts;  ///< Each thread's cells; the sum is in the first.
-    AlignedFloats m_hair;        ///< See BodyNodes.
-    AlignedFloats m_perRest;     ///< See BodyPush,
-    AlignedFloats m_rows;        ///< and so its `out`.
-    std::size_t m_stepsLeft = 0; ///< For which m_rows are.
+    std::vector<Cells> m_parts; ///< Each thread's cells; the sum is in the first.
+    AlignedFloats m_hair;       ///< See BodyNodes.
+    AlignedFloats m_perRest;    ///< See BodyPush,
+    AlignedFloats m_contact;    ///< and so its `out`.
+    std::vector<std::uint8_t> m_dense;
+    std::size_t m_stepsLeft = 0; ///< For which m_contact are.
     std::uint64_t m_gridsMade = 0;
 };
 
