@@ -301,10 +301,10 @@ HWY_INLINE void readNode(const std::int32_t* HWY_RESTRICT first, const std::arra
 }
 
 constexpr float kDenseFriction = 0.12F; ///< Fraction of the velocity against hair that is too dense that a step takes.
-constexpr float kMostFriction = 0.19F;  ///< Over the steps of a grid no more than what there is.
+constexpr float kMostFriction = 0.16F;  ///< Over the steps of a grid no more than what there is.
 constexpr float kSettlingSteps = 20.0F; ///< The contact of a strand that lay still for so long stays as it is.
-constexpr float kSlowChange = 0.01F;    ///< By so much the contact of a node at rest changes with a grid,
-constexpr float kChangePerM = 300.0F;   ///< and by so much more of one that moves, for a metre a step.
+constexpr float kSlowChange = 0.015F;    ///< By so much the contact of a node at rest changes with a grid,
+constexpr float kChangePerM = 450.0F;   ///< and by so much more of one that moves, for a metre a step.
 
 /// What hair around does to a node that moved by `velocity` in the last step, at its velocity and its contact. Returns
 /// whether any is in contact with it.
