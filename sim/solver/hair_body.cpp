@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kBlocksAtOnce = 16;
 constexpr std::size_t kBlocksAPart = 8;
 constexpr std::size_t kMostParts = 4;
-constexpr std::size_t kMostCells = 32768;
+constexpr std::size_t kMostCells = 16384;
 constexpr std::size_t kMostNodesSplatted = 24576; ///< With more, every second strand counts twice, and so on.
 constexpr float kUnits = 536870912.0F;            ///< 2^29: all hair in one cell stays below 2^31.
 constexpr float kLeastCellM = 0.008F;
