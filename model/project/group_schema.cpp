@@ -106,7 +106,7 @@ constexpr GroupSetting kSettings[] = {
     {"physics.volume_m", &PhysicsSettings::volumeM, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Volume"),
      QT_TRANSLATE_NOOP("GroupSchema", "Thickness of the whole coat of hair"), QT_TRANSLATE_NOOP("GroupSchema", "mm"),
      1000.0, 0.0, 0.05, 0.0, 50.0, 1, 1.5F},
-    {"physics.body", &PhysicsSettings::body, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Body"),
+    {"physics.coat_body", &PhysicsSettings::body, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Body"),
      QT_TRANSLATE_NOOP("GroupSchema", "How strongly hair keeps out of hair and moves along with it"), "%", 100.0, 0.0,
      1.0, 0.0, 100.0},
     {"physics.stiffness_m", &PhysicsSettings::stiffnessM, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Stands up to"),
