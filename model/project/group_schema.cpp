@@ -172,7 +172,7 @@ constexpr GroupSetting kSettings[] = {
      QT_TRANSLATE_NOOP("GroupSchema", "Volume rises over"),
      QT_TRANSLATE_NOOP("GroupSchema", "How far from its roots hair reaches its height in the coat"),
      QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.0, 0.2, 0.0, 15.0, 1},
-    {"physics.body", &PhysicsSettings::body, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Body"),
+    {"physics.coat_body", &PhysicsSettings::body, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Body"),
      QT_TRANSLATE_NOOP("GroupSchema", "How strongly hair keeps out of hair and moves along with it"), "%", 100.0, 0.0,
      1.0, 0.0, 100.0},
     {"physics.stiffness_m", &PhysicsSettings::stiffnessM, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Stands up to"),

@@ -292,7 +292,8 @@ void GroupDynamics::step(std::span<const StepForces> steps)
         std::size_t count = left.size();
         if (m_body) {
             count = m_body->meet(m_state, count);
-            blocks.body = m_body->rows();
+            blocks.contact = m_body->contact();
+            blocks.dense = m_body->dense();
         }
         parallelFor(m_state.blocks, kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
             stepBlocks(blocks, m_gains, m_colliders, left.first(count), m_state.present, begin, end);

@@ -7,120 +7,13 @@
 #define HWY_TARGET_INCLUDE "sim/solver/body_kernel.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.
-#include "sim/base/lanes_inl.h"
+#include "sim/solver/cell_pair_inl.h"
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
 
 constexpr std::size_t kPairs = 4; ///< Of a cell's corners beside each other along x: y fastest, then z.
-
-/// Two cells side by side, four numbers each.
-#if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 32
-using PairTag = hn::FixedTag<float, 8>;
-using PairIntTag = hn::FixedTag<std::int32_t, 8>;
-struct CellPair
-{
-    hn::Vec<PairTag> v;
-};
-HWY_INLINE CellPair pairOf(Quad first, Quad second)
-{
-    return {hn::Combine(PairTag(), second.v, first.v)};
-}
-HWY_INLINE CellPair pairAt(const std::int32_t* HWY_RESTRICT cell)
-{
-    return {hn::ConvertTo(PairTag(), hn::LoadU(PairIntTag(), cell))};
-}
-HWY_INLINE void addPair(CellPair pair, float weight, std::int32_t* HWY_RESTRICT cell)
-{
-    const PairIntTag di;
-    const hn::Vec<PairIntTag> whole = hn::ConvertTo(di, hn::Mul(pair.v, hn::Set(PairTag(), weight)));
-    hn::StoreU(hn::Add(hn::LoadU(di, cell), whole), di, cell);
-}
-HWY_INLINE CellPair operator-(CellPair a, CellPair b)
-{
-    return {hn::Sub(a.v, b.v)};
-}
-/// a + b t
-HWY_INLINE CellPair plus(CellPair a, CellPair b, float t)
-{
-    return {hn::Add(a.v, hn::Mul(b.v, hn::Set(PairTag(), t)))};
-}
-HWY_INLINE Quad firstCell(CellPair pair)
-{
-    return {hn::LowerHalf(QuadTag(), pair.v)};
-}
-HWY_INLINE Quad secondCell(CellPair pair)
-{
-    return {hn::UpperHalf(QuadTag(), pair.v)};
-}
-#else
-#if HWY_TARGET == HWY_SCALAR
-HWY_INLINE Quad quadOfCell(const std::int32_t* HWY_RESTRICT cell)
-{
-    return {{static_cast<float>(cell[0]), static_cast<float>(cell[1]), static_cast<float>(cell[2]),
-             static_cast<float>(cell[3])}};
-}
-HWY_INLINE void addToCell(const Quad& quad, std::int32_t* HWY_RESTRICT cell)
-{
-    for (std::size_t i = 0; i < 4; ++i)
-        cell[i] += static_cast<std::int32_t>(quad.v[i]);
-}
-#else
-using QuadIntTag = hn::FixedTag<std::int32_t, 4>;
-HWY_INLINE Quad quadOfCell(const std::int32_t* HWY_RESTRICT cell)
-{
-    return {hn::ConvertTo(QuadTag(), hn::Load(QuadIntTag(), cell))};
-}
-HWY_INLINE void addToCell(Quad quad, std::int32_t* HWY_RESTRICT cell)
-{
-    const QuadIntTag di;
-    hn::Store(hn::Add(hn::Load(di, cell), hn::ConvertTo(di, quad.v)), di, cell);
-}
-#endif
-struct CellPair
-{
-    Quad first, second;
-};
-HWY_INLINE CellPair pairOf(const Quad& first, const Quad& second)
-{
-    return {first, second};
-}
-HWY_INLINE CellPair pairAt(const std::int32_t* HWY_RESTRICT cell)
-{
-    return {quadOfCell(cell), quadOfCell(cell + 4)};
-}
-HWY_INLINE void addPair(const CellPair& pair, float weight, std::int32_t* HWY_RESTRICT cell)
-{
-    addToCell(pair.first * quadOf(weight), cell);
-    addToCell(pair.second * quadOf(weight), cell + 4);
-}
-HWY_INLINE CellPair operator-(const CellPair& a, const CellPair& b)
-{
-    return {a.first - b.first, a.second - b.second};
-}
-HWY_INLINE CellPair plus(const CellPair& a, const CellPair& b, float t)
-{
-    return {a.first + b.first * quadOf(t), a.second + b.second * quadOf(t)};
-}
-HWY_INLINE Quad firstCell(const CellPair& pair)
-{
-    return pair.first;
-}
-HWY_INLINE Quad secondCell(const CellPair& pair)
-{
-    return pair.second;
-}
-#endif
-
-HWY_INLINE float firstOf(const Quad& quad)
-{
-#if HWY_TARGET == HWY_SCALAR
-    return quad.v[0];
-#else
-    return hn::GetLane(quad.v);
-#endif
-}
 
 /// The cells that nodes are in, one a lane, and where in them.
 struct CellOfNode
@@ -301,18 +194,20 @@ HWY_INLINE void readNode(const std::int32_t* HWY_RESTRICT first, const std::arra
 }
 
 constexpr float kDenseFriction = 0.12F; ///< Fraction of the velocity against hair that is too dense that a step takes.
-constexpr float kMostFriction = 0.24F;  ///< Over the steps of a grid no more than what there is.
+constexpr float kMostFriction = 0.16F;  ///< Over the steps of a grid no more than what there is.
 constexpr float kSettlingSteps = 20.0F; ///< The contact of a strand that lay still for so long stays as it is.
-constexpr float kSlowChange = 0.01F;    ///< By so much the contact of a node at rest changes with a grid,
-constexpr float kChangePerM = 300.0F;   ///< and by so much more of one that moves, for a metre a step.
+constexpr float kSlowChange = 0.015F;   ///< By so much the contact of a node at rest changes with a grid,
+constexpr float kChangePerM = 450.0F;   ///< and by so much more of one that moves, for a metre a step.
 
-/// What hair around does to a node that moved by `velocity` in the last step, into rows of kLanes floats.
-HWY_INLINE void meetHair(const BodyGains& gains, const BodyAtNodes& at, Lanes perRest, const Lanes3& velocity,
-                         Yes settling, float* HWY_RESTRICT out)
+/// What hair around does to a node that moved by `velocity` in the last step, at its velocity and its contact. Returns
+/// whether any is in contact with it.
+HWY_INLINE bool meetHair(const BodyGains& gains, const BodyAtNodes& at, Lanes perRest, const Lanes3& velocity,
+                         Lanes still, float* HWY_RESTRICT previous, float* HWY_RESTRICT contact)
 {
     Lanes hair;
     Lanes3 momentum;
     hn::LoadInterleaved4(Tag(), at.values, hair.v, momentum.x.v, momentum.y.v, momentum.z.v);
+    const Yes awake = still < kStillSteps;
     const Lanes3 around = momentum * (kBodyFastestM / most(hair, 1.0F));
     const Lanes above = hair * perRest - (1.0F + kBodyDeadBand);
     Lanes friction(gains.friction);
@@ -326,16 +221,19 @@ HWY_INLINE void meetHair(const BodyGains& gains, const BodyAtNodes& at, Lanes pe
         const Lanes even = hair * kEven;
         outward = slope * (much * -1.0F / root(most(dot(slope, slope) + even * even, 1.0F)));
     }
-    stored3((around - velocity) * friction, out);
-    const Lanes3 before = loaded3(out + 3 * kLanes);
+    const Lanes3 taken = (around - velocity) * (friction * static_cast<float>(kStepsAGrid));
+    stored3(loaded3(previous) - select(awake, taken, Lanes3{0.0F, 0.0F, 0.0F}), previous);
+    const Lanes3 before = loaded3(contact);
     const Lanes3 change = outward - before;
     const Lanes change2 = dot(change, change);
     if (any(change2 > 0.0F)) {
         // A contact that answered at once to every tenth of a millimetre, a grid late, would swing for ever.
-        const Lanes limit = select(settling, 0.0F, kSlowChange + root(dot(velocity, velocity)) * kChangePerM);
+        const Lanes limit =
+            select(still >= kSettlingSteps, 0.0F, kSlowChange + root(dot(velocity, velocity)) * kChangePerM);
         outward = before + change * least(Lanes(1.0F), limit / root(most(change2, 1e-12F)));
     }
-    stored3(outward, out + 3 * kLanes);
+    stored3(outward, contact);
+    return any(dot(outward, outward) > 0.0F);
 }
 
 void PushBody(const BodyNodes& nodes, const BodyGrid& grid, const BodyPush& push, std::size_t begin, std::size_t end)
@@ -346,12 +244,15 @@ void PushBody(const BodyNodes& nodes, const BodyGrid& grid, const BodyPush& push
     HWY_ALIGN std::int32_t index[kLanes];
     HWY_ALIGN float t[3 * kLanes];
     BodyAtNodes read;
-    for (std::size_t block = begin; block < end; ++block)
+    for (std::size_t block = begin; block < end; ++block) {
+        bool isDense = false;
+        bool isWhole = true;
         for (std::size_t lane = 0; lane < kLanes; lane += width) {
             const Lanes still = loaded(push.still + block * push.stillStride + lane);
-            if (all(still >= kStillSteps))
+            if (all(still >= kStillSteps)) {
+                isWhole = false;
                 continue;
-            const Yes settling = still >= kSettlingSteps;
+            }
             for (std::size_t node = kFirstPushedNode; node < count; ++node) {
                 const std::size_t at = (block * count + node) * StrandBlocks::kNodeStride + lane;
                 const MovingNode moving = nodeAt(nodes, at);
@@ -362,10 +263,12 @@ void PushBody(const BodyNodes& nodes, const BodyGrid& grid, const BodyPush& push
                     readNode(grid.cells + std::size_t{4} * static_cast<std::size_t>(index[i]), offsets, t, i, read);
                 const Lanes perRest =
                     loaded(push.perRest + (block * count + node) * kLanes + lane) * push.densityPerUnit;
-                meetHair(push.gains, read, perRest, moving.velocity, settling,
-                         push.out + (block * count + node) * kBodyRows * kLanes + lane);
+                isDense |=
+                    meetHair(push.gains, read, perRest, moving.velocity, still, push.previous + at, push.contact + at);
             }
         }
+        push.dense[block] = isDense || (!isWhole && push.dense[block] != 0) ? 1 : 0;
+    }
 }
 
 } // namespace hairpaint::sim::HWY_NAMESPACE

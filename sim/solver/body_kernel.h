@@ -36,23 +36,20 @@ struct BodyBounds
     std::array<float, 3> greatest{};
 };
 
-/// What hair around does to a node in a step.
+/// What hair around does to a node.
 struct BodyGains
 {
-    float friction = 0.0F; ///< Fraction of the velocity against the hair around that it takes,
+    float friction = 0.0F; ///< Fraction of the velocity against the hair around that a step takes,
     float contact = 0.0F;  ///< and how much of the velocity into hair that is too dense, 0..1 at the greatest density.
 };
 
-inline constexpr int kStepsAGrid = 4;         ///< What hair around does is found anew after so many steps.
+inline constexpr int kStepsAGrid = 6;         ///< What hair around does is found anew after so many steps.
 inline constexpr float kBodyFastestM = 0.02F; ///< m a step: hair that is faster counts as moving at this speed.
-/// What hair around does to a node: the displacement by which it drags it, m a step; the direction out of hair that is
-/// too dense, as long as the contact is strong, 0..1.
-inline constexpr std::size_t kBodyRows = 6;
-inline constexpr float kBodyLeaveM = 2e-4F;  ///< m a step: so fast hair leaves where it is too dense.
-inline constexpr int kFirstBodyNode = 1;     ///< The roots, which do not move, take no part.
-inline constexpr int kFirstPushedNode = 2;   ///< The first segment keeps the direction in which it grows.
-inline constexpr float kBodyDeadBand = 0.2F; ///< Fraction of the density at rest by which hair may be denser,
-inline constexpr float kBodyRange = 0.35F;   ///< and over which contact with it grows to its greatest.
+inline constexpr float kBodyLeaveM = 2e-4F;   ///< m a step: so fast hair leaves where it is too dense.
+inline constexpr int kFirstBodyNode = 1;      ///< The roots, which do not move, take no part.
+inline constexpr int kFirstPushedNode = 2;    ///< The first segment keeps the direction in which it grows.
+inline constexpr float kBodyDeadBand = 0.2F;  ///< Fraction of the density at rest by which hair may be denser,
+inline constexpr float kBodyRange = 0.35F;    ///< and over which contact with it grows to its greatest.
 
 /// The box of the nodes of blocks begin..end. All of these neither allocate nor throw, and give the same bytes with
 /// every instruction set.
@@ -69,7 +66,10 @@ struct BodyPush
     float densityPerUnit = 0.0F;    ///< Of the grid: length of hair in a volume, 1/m2.
     const float* still = nullptr;   ///< kStill of the first block, and by so many floats on that of the next.
     std::size_t stillStride = 0;
-    float* out = nullptr; ///< [blocks][nodes][kBodyRows][kLanes]; strands asleep keep theirs.
+    float* previous = nullptr; ///< As in BodyNodes: friction changes the velocity of strands that are not asleep.
+    float* contact = nullptr;  ///< [blocks][nodes][3][kLanes]: the direction out of hair that is too dense, as long as
+                              ///< the contact is strong, 0..1. Strands asleep keep theirs.
+    std::uint8_t* dense = nullptr; ///< [blocks]: 0 where no node of the block is in contact with hair.
 };
 /// What hair around does to the nodes of blocks begin..end, from kFirstPushedNode on.
 void pushBody(const BodyNodes& nodes, const BodyGrid& grid, const BodyPush& push, std::size_t begin, std::size_t end);

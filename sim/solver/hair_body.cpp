@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t kBlocksAtOnce = 16;
 constexpr std::size_t kBlocksAPart = 8;
 constexpr std::size_t kMostParts = 4;
-constexpr std::size_t kMostCells = 32768;
-constexpr std::size_t kMostNodesSplatted = 65536; ///< With more, not every strand is splatted.
+constexpr std::size_t kMostCells = 16384;
+constexpr std::size_t kMostNodesSplatted = 24576; ///< With more, every second strand counts twice, and so on.
 constexpr float kUnits = 536870912.0F;            ///< 2^29: all hair in one cell stays below 2^31.
 constexpr float kLeastCellM = 0.008F;
 constexpr float kMostCellM = 0.02F;
@@ -33,13 +33,15 @@ void HairBody::setGroom(const Groom& groom)
     m_blocks = groom.basis->blockCount();
     countHairs(groom);
     measureRest(groom);
-    m_rows.assign(m_blocks * static_cast<std::size_t>(m_nodes) * kBodyRows * kLanes, 0.0F);
+    m_contact.assign(StrandBlocks(m_nodes).floatsFor(m_blocks), 0.0F);
+    m_dense.assign(m_blocks, 0);
     m_stepsLeft = 0;
 }
 
 void HairBody::forget()
 {
-    std::ranges::fill(m_rows, 0.0F);
+    std::ranges::fill(m_contact, 0.0F);
+    std::ranges::fill(m_dense, std::uint8_t{0});
     m_stepsLeft = 0;
 }
 
@@ -167,7 +169,7 @@ float HairBody::densityPerUnit() const
     return m_metresPerUnit * m_grid.inverseCell * m_grid.inverseCell * m_grid.inverseCell;
 }
 
-std::size_t HairBody::meet(const StrandState& state, std::size_t wanted)
+std::size_t HairBody::meet(StrandState& state, std::size_t wanted)
 {
     if (m_stepsLeft == 0) {
         const BodyNodes nodes = nodesOf(state);
@@ -177,7 +179,9 @@ std::size_t HairBody::meet(const StrandState& state, std::size_t wanted)
                             .densityPerUnit = densityPerUnit(),
                             .still = state.lanes.data() + std::size_t{kStill} * kLanes,
                             .stillStride = static_cast<std::size_t>(state.laneRows) * kLanes,
-                            .out = m_rows.data()};
+                            .previous = state.previous.data(),
+                            .contact = m_contact.data(),
+                            .dense = m_dense.data()};
         parallelFor(m_blocks, kBlocksAtOnce,
                     [&](std::size_t begin, std::size_t end) { pushBody(nodes, m_grid, push, begin, end); });
         m_stepsLeft = kStepsAGrid;

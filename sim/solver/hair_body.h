@@ -12,22 +12,23 @@
 
 namespace hairpaint::sim {
 
-/// Hair where it is denser than at rest is pushed out of there, and hair that moves against the hair around it is
-/// dragged along. Density and velocity are those of a grid, which is made anew every kStepsAGrid steps; between, the
-/// pushes stay as they are. At rest is what the rest shape has at each node, or what loose hair has where that is more.
-/// A node's push counts as gravity does, so that stiffness, lengths and contact answer to it in the same step. Loops
-/// run through parallelFor, with the same result for any number of threads.
+/// Hair that is denser than at rest is left, as in a contact, and hair that moves against the hair around it is dragged
+/// along. Density and velocity are those of a grid, which is made anew every kStepsAGrid steps; between, contacts stay
+/// as they are. At rest is what the rest shape has at each node, or what loose hair has where that is more. A contact
+/// bends where a node is headed, as gravity does, so that stiffness, lengths and skin answer to it in the same step.
+/// Only hair of one group meets. Loops run through parallelFor, with the same result for any number of threads.
 class HairBody
 {
 public:
     void setGroom(const Groom& groom);
-    /// The hair is elsewhere than it was: no pushes until the next grid, which is made with the next step.
+    /// The hair is elsewhere than it was: no contact until the next grid, which is made with the next step.
     void forget();
-    /// Before a step; makes a grid where it is time for one. Returns how many steps of `wanted` its pushes are for.
-    [[nodiscard]] std::size_t meet(const StrandState& state, std::size_t wanted);
+    /// Before a step; makes a grid where it is time for one. Returns how many steps of `wanted` it is for.
+    [[nodiscard]] std::size_t meet(StrandState& state, std::size_t wanted);
 
     /// See SolverBlocks.
-    [[nodiscard]] const float* rows() const { return m_rows.data(); }
+    [[nodiscard]] const float* contact() const { return m_contact.data(); }
+    [[nodiscard]] const std::uint8_t* dense() const { return m_dense.data(); }
     [[nodiscard]] std::uint64_t gridsMade() const { return m_gridsMade; }
 
 private:
@@ -46,11 +47,12 @@ private:
     float m_metresPerUnit = 0.0F; ///< Length of hair that a unit of the grid stands for.
     BodyGains m_gains;
     BodyGrid m_grid;
-    std::vector<Cells> m_parts;  ///< Each thread's cells; the sum is in the first.
-    AlignedFloats m_hair;        ///< See BodyNodes.
-    AlignedFloats m_perRest;     ///< See BodyPush,
-    AlignedFloats m_rows;        ///< and so its `out`.
-    std::size_t m_stepsLeft = 0; ///< For which m_rows are.
+    std::vector<Cells> m_parts; ///< Each thread's cells; the sum is in the first.
+    AlignedFloats m_hair;       ///< See BodyNodes.
+    AlignedFloats m_perRest;    ///< See BodyPush,
+    AlignedFloats m_contact;    ///< and so its `out`.
+    std::vector<std::uint8_t> m_dense;
+    std::size_t m_stepsLeft = 0; ///< Until the next grid.
     std::uint64_t m_gridsMade = 0;
 };
 

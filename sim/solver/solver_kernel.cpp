@@ -23,16 +23,16 @@ void StepBlocks(const SolverBlocks& blocks, const GroupGains& gains, const Colli
         for (std::size_t lane = 0; lane < kLanes; lane += width) {
             const std::size_t at = block * blockFloats + lane;
             float* const lanes = blocks.lanes + block * blocks.laneRows * kLanes + lane;
+            const float* const contact =
+                blocks.contact != nullptr && blocks.dense[block] != 0 ? blocks.contact + at : nullptr;
             // All steps while the strands are in the cache.
             auto read = static_cast<std::size_t>(from);
             for (const StepForces& step : steps) {
                 // Asleep for two steps: both positions are the same, and nothing needs to be written.
                 if (!asleep(lanes, step.windy ? kUnwanted : kStillSteps + 2.0F))
-                    stepStrands(
-                        gains, colliders, step,
-                        {blocks.rest + at, blocks.positions[read] + at, blocks.positions[1 - read] + at,
-                         blocks.previous + at, lanes, scratch,
-                         blocks.body == nullptr ? nullptr : blocks.body + kBodyRows / 3 * block * blockFloats + lane});
+                    stepStrands(gains, colliders, step,
+                                {blocks.rest + at, blocks.positions[read] + at, blocks.positions[1 - read] + at,
+                                 blocks.previous + at, lanes, scratch, contact, blocks.contact != nullptr});
                 read = 1 - read;
             }
             if (!asleep(lanes, kStillSteps + 2.0F))

@@ -116,9 +116,10 @@ struct SolverBlocks
     std::array<float*, 2> positions{};
     float* previous = nullptr; ///< x* of equation 5: the present position less the velocity.
     float* lanes = nullptr;
-    std::size_t laneRows = kScale; ///< kScale and the colliders.
-    std::uint8_t* awake = nullptr; ///< [blocks] whether anything may still move; written by the kernel.
-    const float* body = nullptr;   ///< [blocks][nodes][kBodyRows][kLanes]: what hair around does; null without body.
+    std::size_t laneRows = kScale;       ///< kScale and the colliders.
+    std::uint8_t* awake = nullptr;       ///< [blocks] whether anything may still move; written by the kernel.
+    const float* contact = nullptr;      ///< As `rest`: with hair around, see BodyPush; null without body.
+    const std::uint8_t* dense = nullptr; ///< [blocks], see BodyPush; read with body alone.
 };
 
 } // namespace hairpaint::sim

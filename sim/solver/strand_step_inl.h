@@ -32,7 +32,8 @@ struct StrandRows
     float* HWY_RESTRICT previous;
     float* HWY_RESTRICT lanes;
     float* HWY_RESTRICT p;          ///< Scratch: where nodes are headed.
-    const float* HWY_RESTRICT body; ///< What hair around does; null without body.
+    const float* HWY_RESTRICT hair; ///< Contact with hair around; null where there is none.
+    bool hasBody;
 };
 
 /// Where equation 5, with drag, gravity, wind and the hair around, and the strand's own stiffness lead its nodes, into
@@ -67,8 +68,8 @@ HWY_INLINE void predict(const GroupGains& gains, const StepForces& step, const S
             v = blown(gains, airAt(air, gains, step, node, x), x - before, inverseSquare, v);
         const Lanes3 styled = loaded3(rows.rest + node * StrandBlocks::kNodeStride);
         Lanes3 headed = x + v + gravity;
-        if (rows.body != nullptr)
-            headed = x + amongHair(rows.body + node * kBodyRows * kLanes, v + gravity);
+        if (rows.hair != nullptr)
+            headed = x + amongHair(rows.hair + node * StrandBlocks::kNodeStride, v + gravity);
         bending.eliminate(i, headed - styled, rows.p);
         before = x;
     }
@@ -90,7 +91,7 @@ HWY_INLINE Lanes3 placeNode(const GroupGains& gains, const ColliderSet& collider
     Yes ofSkin = contact.touched;
     if (collide(obstacles, p, contact, ofSkin)) {
         p = rubbed(gains, contact, start, p);
-        if (rows.body != nullptr)
+        if (rows.hasBody)
             p = heldBeside(contact, loaded3(rows.rest), start, p);
         p = select(contact.touched, atLength(parent, p, length, lie), p);
         Contact second = noContact();

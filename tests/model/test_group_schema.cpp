@@ -47,7 +47,7 @@ consteval std::size_t countMembers()
 /// What the solver has of a group's hairs, for the same rest shapes.
 QByteArray solverConstants(const sim::Groom& groom, const sim::GroomInput& input)
 {
-    const sim::ColliderSet colliders = sim::prepareColliders(input.colliders);
+    const sim::ColliderSet colliders = sim::prepareColliders(input.colliders, input.distances);
     const sim::GroupGains gains = sim::gainsOf(groom.settings.physics, groom.settings.nodesPerHair);
     sim::StrandState state;
     state.resize(groom.nodes, groom.basis->blockCount(), colliders.count);

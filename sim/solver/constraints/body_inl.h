@@ -1,5 +1,5 @@
-// Hair against hair: friction drags a node along with the hair around, and a node in hair that is too dense does not
-// move further into it but leaves slowly, as from an inelastic contact. What is around comes from HairBody's grid.
+// Hair against hair: a node in hair that is too dense does not move further into it but leaves slowly, as from an
+// inelastic contact. Where that is comes from HairBody's grid, which also drags nodes along with the hair around.
 #if defined(HAIRPAINT_SIM_BODY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIRPAINT_SIM_BODY_INL_H_
 #undef HAIRPAINT_SIM_BODY_INL_H_
@@ -14,17 +14,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
 
-/// A node's displacement of a step among hair; `body`: its kBodyRows.
-HWY_INLINE Lanes3 amongHair(const float* HWY_RESTRICT body, const Lanes3& displacement)
+/// A node's displacement of a step among hair with which it is in `contact`, see BodyPush.
+HWY_INLINE Lanes3 amongHair(const float* HWY_RESTRICT contact, const Lanes3& displacement)
 {
-    const Lanes3 dragged = displacement + loaded3(body);
-    const Lanes3 outward = loaded3(body + 3 * kLanes);
-    const Lanes contact2 = dot(outward, outward);
-    if (!any(contact2 > 0.0F))
-        return dragged;
-    // Along outward/contact it shall move by contact kBodyLeaveM; as much of what is missing as the contact is strong.
-    const Lanes missing = contact2 * kBodyLeaveM - dot(dragged, outward);
-    return dragged + outward * most(missing / root(most(contact2, 1e-12F)), 0.0F);
+    const Lanes3 outward = loaded3(contact);
+    const Lanes strength2 = dot(outward, outward);
+    if (!any(strength2 > 0.0F))
+        return displacement;
+    // Along outward/strength it shall move by strength kBodyLeaveM; as much of what is missing as the contact is
+    // strong.
+    const Lanes missing = strength2 * kBodyLeaveM - dot(displacement, outward);
+    return displacement + outward * most(missing / root(most(strength2, 1e-12F)), 0.0F);
 }
 
 /// Where a node that was at `start` goes instead of p: on a shoulder, far below its root, it goes no further out to the
