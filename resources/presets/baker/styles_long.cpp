@@ -134,10 +134,12 @@ Style splitDye()
                     for (const float heightM : {0.05F, 0.02F})
                         middle.push_back(user.around(180.0F, heightM));
                     user.brush(MapKind::Clump, scalar(0.0F), {.sizeM = 0.03F, .hardness = 0.4F}, middle);
-                    user.part({.flatness = 0.93F, .gapM = 0.004F}, middle);
+                    user.part({.flatness = 0.93F, .gapM = 0.0015F}, middle);
                 }};
     model::setHairType(style.settings, model::hairType("2C"));
     style.settings.curl.gather = 0.4F;
+    style.settings.variation.parting = 0.0F;
+    style.settings.locks.ragged = 0.0F;
     style.settings.nodesPerHair = 12;
     return style;
 }
