@@ -210,6 +210,18 @@ float colourToScale(const MapSpec& spec, float red, float green, float blue)
     const std::array<float, 3> full = channelsOf(spec.scaleColour);
     const std::array<float, 3> read{red, green, blue};
     const float most = std::max({full[0], full[1], full[2]});
+    if (most <= kWhole) {
+        // Differences of channels tell coarsely here. What lies on the scale itself is read from the channel that
+        // changes most along it.
+        const auto furthest = static_cast<std::size_t>(std::ranges::min_element(full) - full.begin());
+        const float told = (1.0F - read[furthest]) / (1.0F - full[furthest]);
+        constexpr float kStep = 1.0F / 255.0F;
+        bool isOnScale = true;
+        for (std::size_t i = 0; i < 3; ++i)
+            isOnScale &= std::abs(read[i] - (1.0F - (1.0F - full[i]) * told)) < kStep;
+        if (isOnScale)
+            return std::max(told, 0.0F);
+    }
     float least = 1.0F;
     for (std::size_t i = 0; i < 3; ++i)
         if (full[i] > kWhole * most)

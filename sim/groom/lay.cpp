@@ -43,7 +43,8 @@ void Lay::add(const LayRoot& root, float lengthM)
     m_lanes.segmentM[lane] = segmentM;
     m_lanes.steps[lane] = std::max(std::ceil(segmentM / kLongestLayStepM), 1.0F);
     m_lanes.falls[lane] = falls;
-    m_lanes.coatM[lane] = std::min(m_inputs.coatM, 0.001F + 0.12F * lengthM) * (0.3F + 0.7F * root.chance) + root.liftM;
+    m_lanes.coatM[lane] = std::min(m_inputs.coatM, 0.001F + 0.12F * lengthM) * (0.3F + 0.7F * root.chance);
+    m_lanes.liftM[lane] = root.liftM;
     constexpr float kRisesWithin = 0.4F; // Of the length.
     const float riseM = std::min(m_inputs.coatRiseM, kRisesWithin * lengthM);
     m_lanes.perRise[lane] = riseM > 0.0F ? 1.0F / riseM : 0.0F;
@@ -67,6 +68,7 @@ void Lay::lay()
         m_lanes.steps[lane] = m_lanes.steps[0];
         m_lanes.falls[lane] = m_lanes.falls[0];
         m_lanes.coatM[lane] = m_lanes.coatM[0];
+        m_lanes.liftM[lane] = m_lanes.liftM[0];
         m_lanes.perRise[lane] = m_lanes.perRise[0];
         m_lanes.keepsM[lane] = m_lanes.keepsM[0];
         m_lanes.lies[lane] = m_lanes.lies[0];

@@ -32,7 +32,8 @@ struct LayLanes
     Row segmentM{};
     Row steps{};   ///< Steps per segment.
     Row falls{};   ///< See fallFraction().
-    Row coatM{};   ///< Height at which it lies.
+    Row coatM{};   ///< Height at which it lies,
+    Row liftM{};   ///< and what is added to it from the root on.
     Row perRise{}; ///< 1/m: by what the coat is gained along the path; 0: at once.
     Row keepsM{};  ///< So far along its path it keeps its direction, whatever the field.
     Row lies{};    ///< 1 where it lies on the head at first, else 0.

@@ -2,7 +2,6 @@
 #include "panel_fixture.h"
 
 #include "model/document/commands.h"
-#include "model/project/hair_types.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/panels/hair_panel.h"
@@ -147,37 +146,6 @@ private Q_SLOTS:
         QCOMPARE(f.steps(), 2);
         f.document.undo();
         QVERIFY(!panel.findChild<QCheckBox*>()->isChecked());
-    }
-
-    void a_hair_type_sets_the_curl_in_one_step()
-    {
-        PanelFixture f;
-        HairPanel panel(f.state);
-        panel.resize(280, 900);
-        panel.show();
-        auto* types = panel.findChild<QComboBox*>(QStringLiteral("hairType"));
-        QVERIFY(types != nullptr);
-        const auto count = static_cast<int>(model::hairTypes().size());
-        QCOMPARE(types->currentIndex(), count); // Its numbers are of no type,
-        BarSlider* diameter = sliderNamed(panel, QStringLiteral("Coil diameter"));
-        QVERIFY(diameter != nullptr && !diameter->isVisibleTo(&panel)); // and not those of coils.
-        const sim::GroupSettings before = f.scalp().settings;
-        QTest::keyClick(types, Qt::Key_Home);
-        QTest::keyClick(types, Qt::Key_Down);
-        QCOMPARE(f.steps(), 2);
-        QVERIFY(f.scalp().settings.turnsMode == sim::TurnsMode::Coils);
-        QVERIFY(f.scalp().settings.curl == model::hairType("1B").curl);
-        QCOMPARE(types->count(), count);
-        QVERIFY(diameter->isVisibleTo(&panel));
-        holdAt(*diameter, 0.8);
-        letGo(*diameter, QPoint(1, 12));
-        QCOMPARE(types->currentIndex(), count);
-        QCOMPARE(types->count(), count + 1);
-        f.document.undo();
-        QCOMPARE(types->currentText(), QStringLiteral("1B"));
-        f.document.undo();
-        f.document.undo();
-        QVERIFY(f.scalp().settings == before);
     }
 
     void the_settings_used_most_come_first()

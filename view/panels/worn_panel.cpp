@@ -57,7 +57,7 @@ WornPanel::WornPanel(EditorState& state, QWidget* parent)
     m_sheen->setHint(tr("How much light it reflects without taking its colour: 0 % is matt, 100 % polished"));
     controls->addWidget(m_sheen);
     m_radius = new BarSlider(tr("Radius"), m_look);
-    m_radius->setUnit(QStringLiteral("mm"));
+    m_radius->setUnit(tr("mm"));
     m_radius->setExponent(2.0);
     controls->addWidget(m_radius);
 

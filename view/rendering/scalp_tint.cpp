@@ -91,7 +91,7 @@ bool ScalpTint::update(const std::shared_ptr<const sim::HeadMesh>& mesh, const S
                findChanged(before[i].colour, m_sources[i].colour, vertices);
     if (some) {
         std::ranges::sort(vertices);
-        vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     } else {
         vertices.resize(mesh->positionsHd.size());
         std::iota(vertices.begin(), vertices.end(), 0U);
