@@ -47,8 +47,8 @@ void Lay::add(const LayRoot& root, float lengthM)
     m_lanes.liftM[lane] = root.liftM;
     constexpr float kRisesWithin = 0.4F; // Of the length.
     const float riseM = std::min(m_inputs.coatRiseM, kRisesWithin * lengthM);
-    m_lanes.perRise[lane] = riseM > 0.0F ? 1.0F / riseM : 0.0F;
-    constexpr float kAcrossM = 0.009F; // A parting, two cells wide.
+    m_lanes.perRise[lane] = riseM > 0.0F && root.liftM == 0.0F ? 1.0F / riseM : 0.0F; // A coil needs its room at once.
+    constexpr float kAcrossM = 0.009F;                                                // A parting, two cells wide.
     m_lanes.keepsM[lane] = growth != own ? kAcrossM : 0.0F;
     m_lanes.lies[lane] = square > kStandsBelow * kStandsBelow ? 1.0F : 0.0F;
     m_isUpright[lane] = square == 0.0F;

@@ -37,7 +37,7 @@ private Q_SLOTS:
         settings.braidSpacingM = 0.005F;
         settings.braidRadiusM = 0.0005F;
         QVERIFY(model::saveProject(project, path("braids.hairpaint"), {}));
-        QVERIFY(QFileInfo(path("braids.hairpaint")).size() < 500'000);
+        QVERIFY(QFileInfo(path("braids.hairpaint")).size() < 600'000);
         const Outcome whole =
             runProgram({QStringLiteral("export"), path("braids.hairpaint"), QStringLiteral("-o"), path("b.hair")});
         QCOMPARE(whole.code, 1);

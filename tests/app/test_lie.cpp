@@ -234,7 +234,9 @@ void TestLie::hairAtTheEdgeOfAPartingLiesToItsOwnSide()
         ++beside;
         crossing += hair[kNode].x * (root.x > 0.0F ? 1.0F : -1.0F) < -0.01F ? 1 : 0;
     }
-    QVERIFY2(beside > 6000 && crossing == 0, qPrintable(QStringLiteral("%1 of %2").arg(crossing).arg(beside)));
+    // Single hairs fly away or keep to a lock of the other side.
+    QVERIFY2(beside > 6000 && crossing < 0.001 * beside,
+             qPrintable(QStringLiteral("%1 of %2").arg(crossing).arg(beside)));
 }
 
 HAIRPAINT_TEST(TestLie, Core)
