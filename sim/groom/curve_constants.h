@@ -6,8 +6,10 @@ namespace hairpaint::sim {
 
 /// Fraction of the strand, from the root, over which the curl's radius grows from 0.
 inline constexpr float kCurlEaseFraction = 0.25F;
-/// A coil in real units grows over so much of the hair, or a quarter of a turn if that is more.
+/// A coil in real units grows over so much of the hair, or a quarter of a turn or so many of its radii if that is more:
+/// no sooner than the hair has left the skin as far.
 inline constexpr float kCoilEaseM = 0.01F;
+inline constexpr float kCoilEaseRadii = 4.0F;
 /// From this length on, weight uncoils a hair as far as its group says; shorter ones in proportion.
 inline constexpr float kUncoiledM = 0.25F;
 /// How much farther out a hair runs, in radii, in the middle of a turn that it leaps over.

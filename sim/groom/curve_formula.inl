@@ -143,9 +143,9 @@ CURVE_FUNCTION Vec3 coilOffset(CoiledHair hair, CoilTraits traits, Num s)
     Num open = 1.0F / most(winding * winding, Num(0.01F));
     Num apart = 1.0F / most(tightness, Num(0.05F));
     Num narrow = root(clamped(1.0F + open - open * apart * apart, 0.0F, 2.25F));
-    Num easeM = most(least(most(Num(kCoilEaseM), hair.lengthM * 0.25F / most(hair.turns, Num(1e-3F))),
-                           hair.lengthM * kCurlEaseFraction),
-                     Num(1e-6F));
+    Num easeM = most(most(Num(kCoilEaseM), hair.lengthM * 0.25F / most(hair.turns, Num(1e-3F))),
+                     hair.radiusM * kCoilEaseRadii);
+    easeM = most(least(easeM, hair.lengthM * kCurlEaseFraction), Num(1e-6F));
     Num eased = least(Num(1.0F), alongM / easeM);
     Num radiusM = hair.radiusM * narrow * eased * eased * (3.0F - eased * 2.0F) *
                   (1.0F + leap * part * (1.0F - part) * (4.0F * kSkipLeap));

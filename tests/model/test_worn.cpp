@@ -356,7 +356,7 @@ private Q_SLOTS:
         for (const char* key : {"group", "anchor", "sheen"})
             set(key, QJsonValue(QJsonValue::Undefined));
         QVERIFY(read());
-        const Worn& plain = read()->project.worn.back();
+        const Worn plain = read()->project.worn.back();
         QVERIFY(!plain.anchor && plain.group == 0 && plain.sheen == wornSpec(WornKind::Ball).sheen);
         set("anchor", QStringLiteral("ear"));
         QVERIFY(!read());
