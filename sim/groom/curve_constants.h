@@ -13,7 +13,7 @@ inline constexpr float kCoilEaseRadii = 4.0F;
 /// From this length on, weight uncoils a hair as far as its group says; shorter ones in proportion.
 inline constexpr float kUncoiledM = 0.25F;
 /// How much farther out a hair runs, in radii, in the middle of a turn that it leaps over.
-inline constexpr float kSkipLeap = 0.5F;
+inline constexpr float kSkipLeap = 0.3F;
 inline constexpr float kFullTurn = 6.2831853F;
 /// Factors that make numbers of their own of a hair's chance and of a lock's phase; the third is the golden section,
 /// which spreads the turns that are leapt over evenly.

@@ -46,14 +46,14 @@ class SpringHair
 public:
     explicit SpringHair(int hairs)
     {
-        m_nodes.resize(static_cast<std::size_t>(hairs * kPaperNodes));
+        m_nodes.resize(static_cast<std::size_t>(hairs) * kPaperNodes);
         for (int i = 0; i < hairs; ++i) {
             const float turn = 2.399963F * static_cast<float>(i); // The golden angle: even over the upper half.
             const float y = 1.0F - (static_cast<float>(i) + 0.5F) / static_cast<float>(hairs);
             const float across = std::sqrt(1.0F - y * y);
             const glm::vec3 out(across * std::cos(turn), y, across * std::sin(turn));
             for (int node = 0; node < kPaperNodes; ++node)
-                m_nodes[static_cast<std::size_t>(i * kPaperNodes + node)].position =
+                m_nodes[static_cast<std::size_t>(i) * kPaperNodes + static_cast<std::size_t>(node)].position =
                     out * (kHeadM + kRestM * static_cast<float>(node));
         }
     }

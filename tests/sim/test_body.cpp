@@ -169,6 +169,7 @@ void TestBody::aLockDragsItsNeighbours()
 {
     // A curtain of which the air moves one side.
     std::vector<HandStrand> strands;
+    strands.reserve(32);
     for (int z = 0; z < 32; ++z)
         strands.push_back({.rootHd = {0.0F, 0.2F, 0.004F * static_cast<float>(z)},
                            .directionHd = {0.0F, -1.0F, 0.0F},
@@ -226,11 +227,13 @@ void TestBody::onAShoulderItDoesNotStandOffToTheSide()
 {
     // Long hair comes down on one side of a ball that is a shoulder.
     std::vector<HandStrand> strands;
-    for (int i = 0; i < 32; ++i)
-        strands.push_back(
-            {.rootHd = {0.03F + 0.001F * static_cast<float>(i % 8), 0.3F, 0.004F * static_cast<float>(i / 8)},
-             .directionHd = {0.0F, -1.0F, 0.0F},
-             .lengthM = 0.4F});
+    strands.reserve(32);
+    for (int row = 0; row < 4; ++row)
+        for (int i = 0; i < 8; ++i)
+            strands.push_back(
+                {.rootHd = {0.03F + 0.001F * static_cast<float>(i), 0.3F, 0.004F * static_cast<float>(row)},
+                 .directionHd = {0.0F, -1.0F, 0.0F},
+                 .lengthM = 0.4F});
     const ColliderSet shoulder = prepareColliders({}, DistanceGrid::make(makeBallHead(64, 0.1F)));
     const auto reach = [&](float body) {
         PhysicsSettings physics;

@@ -50,6 +50,7 @@ Measured measured(const StrandStyle& style, const CurlSettings& curl)
     constexpr int kPointsPerTurn = 64;
     const int segments = static_cast<int>(style.turns * kPointsPerTurn);
     std::vector<glm::vec3> skeleton;
+    skeleton.reserve(16);
     for (int i = 0; i < 16; ++i)
         skeleton.emplace_back(0.0F, 0.0F, style.lengthM * static_cast<float>(i) / 15.0F);
     std::vector<glm::vec3> points;
@@ -109,6 +110,7 @@ GroomInput::Group curly(const CurlSettings& curl)
 std::vector<glm::vec3> nodesOf(const Groom& groom, std::uint32_t slot)
 {
     std::vector<glm::vec3> nodes;
+    nodes.reserve(static_cast<std::size_t>(groom.nodes));
     for (int i = 0; i < groom.nodes; ++i)
         nodes.push_back(restNode(groom, slot, i));
     return nodes;

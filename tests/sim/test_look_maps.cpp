@@ -35,6 +35,7 @@ std::vector<glm::vec3> evaluated(const StrandStyle& style)
 {
     constexpr int kNodes = 8;
     std::vector<glm::vec3> skeleton;
+    skeleton.reserve(kNodes);
     for (int node = 0; node < kNodes; ++node)
         skeleton.emplace_back(0.0F, -style.lengthM * static_cast<float>(node) / (kNodes - 1), 0.0F);
     std::vector<glm::vec3> points;
