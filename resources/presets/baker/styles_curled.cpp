@@ -34,13 +34,13 @@ Style ringlets()
                     user.fill(MapKind::Colour, colour(0xFF703018));
                     cutToLine(user, -0.13F, 0.06F);
                     user.fill(MapKind::Curl, scalar(1.0F));
-                    user.fill(MapKind::Frizz, scalar(0.12F));
+                    user.fill(MapKind::Frizz, scalar(0.06F));
                 }};
     model::setHairType(style.settings, model::hairType("3B"));
     style.settings.curl.diameterM = 0.020F;
     style.settings.curl.pitchM = 0.050F;
     style.settings.curl.inStepFromM = 0.010F;
-    style.settings.curl.skips = 0.04F;
+    style.settings.curl.skips = 0.025F;
     style.settings.curl.gather = 0.96F;
     style.settings.locks = {.sizeM = 0.020F, .parting = 0.15F};
     // Locks hold together: what differs within one blurs it.
