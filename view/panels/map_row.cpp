@@ -18,7 +18,7 @@ MapRow::MapRow(model::MapKind map, QWidget* parent) : QAbstractButton(parent), m
     setAutoExclusive(true);
     setFocusPolicy(Qt::TabFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    setMaximumHeight(sizeHint().height());
+    setMaximumHeight(MapRow::sizeHint().height());
     setAttribute(Qt::WA_Hover);
 }
 
