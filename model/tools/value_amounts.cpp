@@ -6,24 +6,23 @@
 
 namespace hairpaint::model {
 
-namespace {
-
-double amountOf(const MapSpec& spec, const sim::GroupSettings& group, const PaintValue& value)
+ValueAmounts::Amount ValueAmounts::amountOf(const MapSpec& spec, const sim::GroupSettings& group,
+                                            const PaintValue& value)
 {
-    return spec.scale->amount(group, static_cast<double>(value.scalar));
+    return {.number = spec.scale->amount(group, static_cast<double>(value.scalar)),
+            .unit = spec.scale->common == nullptr ? spec.scale->unit(group) : QString()};
 }
 
-/// Moves the scalar to the amount; whether the range has it.
-bool follow(const MapSpec& spec, const sim::GroupSettings& group, double amount, float& scalar)
+bool ValueAmounts::follow(const MapSpec& spec, const sim::GroupSettings& group, const Amount& amount, float& scalar)
 {
     constexpr double kRounding = 1e-6; // There and back again is no change.
-    const double fraction = spec.scale->fraction(group, amount);
+    if (spec.scale->common == nullptr && spec.scale->unit(group) != amount.unit)
+        return true;
+    const double fraction = spec.scale->fraction(group, amount.number);
     if (std::abs(fraction - static_cast<double>(scalar)) > kRounding)
         scalar = static_cast<float>(fraction);
-    return std::abs(spec.scale->amount(group, fraction) - amount) <= kRounding * (1.0 + std::abs(amount));
+    return std::abs(spec.scale->amount(group, fraction) - amount.number) <= kRounding * (1.0 + std::abs(amount.number));
 }
-
-} // namespace
 
 void ValueAmounts::take(const sim::GroupSettings& group, const ToolSettings& settings)
 {

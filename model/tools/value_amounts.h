@@ -4,6 +4,8 @@
 
 #include "model/tools/tool_settings.h"
 
+#include <QString>
+
 #include <array>
 #include <vector>
 
@@ -22,10 +24,18 @@ public:
     std::vector<MapKind> putOn(const sim::GroupSettings& group, ToolSettings& settings) const;
 
 private:
+    struct Amount
+    {
+        double number = 0.0; ///< In the map's common unit,
+        QString unit;        ///< or where it has none in this: turns are no per cent.
+    };
     struct Pair
     {
-        double first = 0.0, second = 0.0; ///< In the map's common unit.
+        Amount first, second;
     };
+    [[nodiscard]] static Amount amountOf(const MapSpec& spec, const sim::GroupSettings& group, const PaintValue& value);
+    /// Moves the scalar to the amount; whether the range has it. In another unit it stays the fraction that it is.
+    static bool follow(const MapSpec& spec, const sim::GroupSettings& group, const Amount& amount, float& scalar);
     std::array<Pair, kMapKindCount> m_pairs{}; ///< Only those of scalar maps mean something.
 };
 

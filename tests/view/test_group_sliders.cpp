@@ -167,6 +167,21 @@ private Q_SLOTS:
         f.document.undo();
         QVERIFY(f.scalp().settings == before);
     }
+
+    void a_brush_paints_as_much_curl_where_turns_become_per_cent()
+    {
+        PanelFixture f;
+        f.state.target().setMap(MapKind::Curl);
+        HairPanel panel(f.state);
+        panel.resize(280, 900);
+        panel.show();
+        const float painted = f.state.tools().settings().value(MapKind::Curl).scalar;
+        auto* types = panel.findChild<QComboBox*>(QStringLiteral("hairType"));
+        QTest::keyClick(types, Qt::Key_Home);
+        QTest::keyClick(types, Qt::Key_End);
+        QVERIFY(f.scalp().settings.turnsMode == sim::TurnsMode::Coils);
+        QCOMPARE(f.state.tools().settings().value(MapKind::Curl).scalar, painted);
+    }
 };
 
 HAIRPAINT_TEST(TestGroupSliders, Widgets)
