@@ -68,7 +68,7 @@ struct BodyPush
     std::size_t stillStride = 0;
     float* previous = nullptr; ///< As in BodyNodes: friction changes the velocity of strands that are not asleep.
     float* contact = nullptr;  ///< [blocks][nodes][3][kLanes]: the direction out of hair that is too dense, as long as
-                              ///< the contact is strong, 0..1. Strands asleep keep theirs.
+                               ///< the contact is strong, 0..1. Strands asleep keep theirs.
     std::uint8_t* dense = nullptr; ///< [blocks]: 0 where no node of the block is in contact with hair.
 };
 /// What hair around does to the nodes of blocks begin..end, from kFirstPushedNode on.
