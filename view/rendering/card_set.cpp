@@ -1,6 +1,8 @@
 // Smaller levels of a texture, and what corners know of the hair around them.
 #include "view/rendering/card_set.h"
 
+#include "view/rendering/light/encoded_colour.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -10,11 +12,6 @@ namespace {
 
 constexpr int kColourSide =
     128; ///< Texels across the level that colours come from: each is the mean of a lock's width.
-
-float linearOfEncoded(float encoded)
-{
-    return encoded * (encoded * (encoded * 0.305306011F + 0.682171111F) + 0.012522878F);
-}
 
 /// The derivative of the position by v, times a positive number; 0 where the texture has no area.
 glm::vec3 alongV(const CardCorner& a, const CardCorner& b, const CardCorner& c)

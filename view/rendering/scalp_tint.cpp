@@ -3,6 +3,7 @@
 
 #include "sim/base/parallel.h"
 #include "sim/groom/map_sampler.h"
+#include "view/rendering/light/encoded_colour.h"
 
 #include <algorithm>
 #include <array>
@@ -40,11 +41,6 @@ std::vector<glm::vec2> pointsRead(std::span<const glm::vec2> uvs)
         for (const glm::vec2 offset : kReads)
             points.push_back(uv + offset);
     return points;
-}
-
-glm::vec3 linearOf(glm::vec3 encoded)
-{
-    return encoded * (encoded * (encoded * 0.305306011F + 0.682171111F) + 0.012522878F);
 }
 
 } // namespace
@@ -136,7 +132,7 @@ void ScalpTint::evaluate(std::span<const std::uint32_t> vertices)
                     continue;
                 const float cover = m_sources[group].strength * hairs / (hairs + kHalfCovers);
                 tint = tint * (1.0F - cover) +
-                       glm::vec4(linearOf(glm::vec3(maps[group].colour.channels(uv))), 1.0F) * cover;
+                       glm::vec4(linearOfEncoded(glm::vec3(maps[group].colour.channels(uv))), 1.0F) * cover;
             }
             m_texels[vertices[i]] = Texel(glm::clamp(tint, 0.0F, 1.0F) * 65535.0F + 0.5F);
         }

@@ -2,6 +2,7 @@
 #include "view/rendering/software/card_picture.h"
 
 #include "sim/base/parallel.h"
+#include "view/rendering/light/encoded_colour.h"
 #include "view/rendering/light/light_range.h"
 #include "view/rendering/software/card_light.h"
 
@@ -13,11 +14,6 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr float kNearestCardM = 0.01F;
-
-float linearOf(float encoded)
-{
-    return encoded * (encoded * (encoded * 0.305306011F + 0.682171111F) + 0.012522878F);
-}
 
 /// Bilinear; 0..1.
 glm::vec4 texelAt(const CardTexture& texture, const glm::vec2& uv)
@@ -129,7 +125,7 @@ void CardPicture::drawTriangle(const CardBand& band, const ProjectedVertex& a, c
             band.distancesM[i] = distance;
             const glm::vec3 light = (ofA * a.light + ofB * b.light + ofC * c.light) / sum;
             const auto held = [&](int channel) {
-                const float linear = std::min(linearOf(texel[channel]) * light[channel] / kMostLight, 1.0F);
+                const float linear = std::min(linearOfEncoded(texel[channel]) * light[channel] / kMostLight, 1.0F);
                 return static_cast<std::uint16_t>(std::lround(std::sqrt(linear) * 65535.0F));
             };
             band.samples[i] = {.red = held(0), .green = held(1), .blue = held(2), .cover = 65535};
