@@ -1,7 +1,8 @@
-// The version, and the helper's sandbox in words.
+// The version, the libraries, and the helper's sandbox in words.
 #include "app/cli/version.h"
 
 #include "app/cli/command.h"
+#include "app/session/libraries.h"
 #include "model/files/importer_client.h"
 
 #include <QLocale>
@@ -28,7 +29,8 @@ QStringList sandboxLines(const model::HelperSandbox& sandbox)
 
 QStringList versionLines()
 {
-    QStringList lines{QStringLiteral("Hair Paint %1").arg(QCoreApplication::applicationVersion())};
+    QStringList lines{QStringLiteral("Hair Paint %1").arg(QCoreApplication::applicationVersion()),
+                      CommandLine::tr("Built with %1").arg(librariesInUse().join(QStringLiteral(", ")))};
     if (const std::optional<model::HelperSandbox> sandbox = model::ImporterClient().sandbox())
         lines += sandboxLines(*sandbox);
     else

@@ -5,7 +5,8 @@
 
 namespace hairpaint::app {
 
-/// The version, and which layers hold the helper that decodes foreign files on this machine, as it finds them itself.
+/// The version, the libraries, and which layers hold the helper that decodes foreign files on this machine, as it finds
+/// them itself.
 [[nodiscard]] QStringList versionLines();
 
 } // namespace hairpaint::app

@@ -1,6 +1,7 @@
 // The window's dialogs: see the header.
 #include "app/window/window_dialogs.h"
 
+#include "app/session/libraries.h"
 #include "app/settings/languages.h"
 #include "view/dialogs/about_dialog.h"
 #include "view/dialogs/light_dialog.h"
@@ -108,7 +109,7 @@ void WindowDialogs::showHelpOver(QWidget& over, view::HelpDialog::Topic topic)
 
 void WindowDialogs::showAbout(const QString& renderer)
 {
-    view::AboutDialog(QApplication::applicationVersion(), renderer, &m_window).exec();
+    view::AboutDialog(QApplication::applicationVersion(), librariesInUse(), renderer, &m_window).exec();
 }
 
 void WindowDialogs::addHelpKey(QDialog& dialog, view::HelpDialog::Topic topic)

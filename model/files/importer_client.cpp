@@ -16,6 +16,7 @@ namespace {
 constexpr qint64 kMostForeignBytes = qint64{2} << 30;
 const QString kProgramName = QStringLiteral("hairpaint-import");
 
+/// Beside the program as it is built, and on Windows; else in the folder for programs that nobody starts by hand.
 QString findHelper()
 {
     const QString fromEnvironment = qEnvironmentVariable("HAIRPAINT_IMPORT");
@@ -25,7 +26,9 @@ QString findHelper()
 #ifdef Q_OS_WIN
     return folder.filePath(kProgramName + QStringLiteral(".exe"));
 #else
-    return folder.filePath(kProgramName);
+    const QString installed = folder.filePath(QStringLiteral("../libexec/hairpaint/") + kProgramName);
+    const QString beside = folder.filePath(kProgramName);
+    return !QFileInfo::exists(beside) && QFileInfo::exists(installed) ? QDir::cleanPath(installed) : beside;
 #endif
 }
 

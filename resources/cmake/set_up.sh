@@ -9,7 +9,7 @@ HAIRPAINT_PACKAGES=(
     libopenexr-dev libopenimageio-dev openimageio-tools libassimp-dev nlohmann-json3-dev libseccomp-dev
     qt6-translations-l10n fonts-inter fonts-noto-core
 )
-HAIRPAINT_TEST_PACKAGES=(xvfb xauth)
+HAIRPAINT_TEST_PACKAGES=(xvfb xauth desktop-file-utils appstream shared-mime-info xdg-utils libfile-mimeinfo-perl man-db)
 HAIRPAINT_BENCH_PACKAGES=(libbenchmark-dev libmypaint-dev)
 HAIRPAINT_EXCHANGE_PACKAGES=(blender python3-numpy imagemagick chromium godot3-server)
 HAIRPAINT_MODELS_PACKAGES=(assimp-testmodels)

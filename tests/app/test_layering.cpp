@@ -79,7 +79,7 @@ constexpr Room kRooms[] = {
     {"app", "project", "background settings session styles recovery"},
     {"app", "exchange", "background settings session headless styles project"},
     {"app", "window", "background settings session headless styles recovery project exchange"},
-    {"app", "cli", "background headless styles"},
+    {"app", "cli", "background session headless styles"},
 };
 
 /// Every include of a file, as it is written.

@@ -1,5 +1,6 @@
 // The real window at its smallest, in every language and in long words: nothing is cut off, and no underlined letters
 // collide.
+#include "app/session/libraries.h"
 #include "app/settings/languages.h"
 #include "app/styles/library.h"
 #include "app/window/main_window.h"
@@ -142,7 +143,7 @@ private Q_SLOTS:
                     measure(*dialog);
                 }
         }
-        view::AboutDialog about(QStringLiteral("0.1.0"), m_window->headView().rendererDescription());
+        view::AboutDialog about(QStringLiteral("0.1.0"), librariesInUse(), m_window->headView().rendererDescription());
         view::HeadImportDialog import(test::makeBallHead(), QStringLiteral("head.obj"));
         view::HairImportDialog hair(QStringLiteral("long.hair"));
         for (QDialog* dialog : std::initializer_list<QDialog*>{&about, &import, &hair}) {

@@ -62,7 +62,8 @@ std::map<QString, std::pair<Make, QSize>> everything()
         {QStringLiteral("light"), {of(std::type_identity<LightDialog>{}), {}}},
         {QStringLiteral("about"),
          {[](EditorState&) {
-              return std::make_unique<AboutDialog>(QStringLiteral("0.1.0"), QStringLiteral("llvmpipe"));
+              return std::make_unique<AboutDialog>(QStringLiteral("0.1.0"), QStringList{QStringLiteral("Qt 6.4.2")},
+                                                   QStringLiteral("llvmpipe"));
           },
           {}}},
         {QStringLiteral("import"),

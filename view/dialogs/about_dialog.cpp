@@ -27,7 +27,8 @@ QLabel* makeText(const QString& text, const char* role, QWidget* parent)
 
 } // namespace
 
-AboutDialog::AboutDialog(const QString& version, const QString& renderer, QWidget* parent) : QDialog(parent)
+AboutDialog::AboutDialog(const QString& version, const QStringList& libraries, const QString& renderer, QWidget* parent)
+    : QDialog(parent)
 {
     initResources();
     setWindowTitle(tr("About Hair Paint"));
@@ -51,9 +52,10 @@ AboutDialog::AboutDialog(const QString& version, const QString& renderer, QWidge
         makeText(tr("After “Hair Paint” by B. Hernandez and I. Rudomin, 2004. Free software under the MIT "
                     "licence: use it, change it, pass it on. It comes without any warranty."),
                  "label", this));
-    QString facts = tr("Qt %1 on %2").arg(QLatin1String(qVersion()), QSysInfo::prettyProductName());
+    QString facts = tr("Runs on %1").arg(QSysInfo::prettyProductName());
     if (!renderer.isEmpty())
         facts += QLatin1Char('\n') + tr("Drawn by %1").arg(renderer);
+    facts += QLatin1Char('\n') + tr("Built with %1").arg(libraries.join(QStringLiteral(", ")));
     QLabel* details = makeText(facts, "dim", this);
     details->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     layout->addWidget(details);

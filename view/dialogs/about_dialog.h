@@ -9,8 +9,9 @@ class AboutDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// `renderer`: what draws the 3D area; left out where empty.
-    explicit AboutDialog(const QString& version, const QString& renderer = {}, QWidget* parent = nullptr);
+    /// `libraries`: each with its version. `renderer`: what draws the 3D area; left out where empty.
+    AboutDialog(const QString& version, const QStringList& libraries, const QString& renderer = {},
+                QWidget* parent = nullptr);
 
 protected:
     void showEvent(QShowEvent* event) override;
