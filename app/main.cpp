@@ -11,6 +11,7 @@
 #include "app/window/main_window.h"
 #include "model/values/sentences.h"
 #include "view/head_area/head_view.h"
+#include "view/look/own_fonts.h"
 #include "view/look/resources.h"
 
 #include <QApplication>
@@ -152,6 +153,9 @@ int runEditor(int argc, char** argv)
     auto settings = std::make_unique<hairpaint::app::Settings>(); // Once: its disk may not answer.
     hairpaint::app::speak(settings->preferences().language);
     hairpaint::view::initResources();
+    if (!hairpaint::view::provideFonts())
+        hairpaint::app::printError(CommandLine::tr("This system has no font, so no text can be read; install one, for "
+                                                   "example Debian's package fonts-inter."));
 
     QString path;
     hairpaint::model::Project project = hairpaint::app::starterProject();

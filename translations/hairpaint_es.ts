@@ -528,6 +528,14 @@
         <source>levels of detail, %1 to %2, each of half the triangles of the one before, with the same textures (MSFT_lod); %3 unless given</source>
         <translation>niveles de detalle, de %1 a %2, cada uno con la mitad de los triángulos del anterior y las mismas texturas (MSFT_lod); %3 si no se indica</translation>
     </message>
+    <message>
+        <source>Built with %1</source>
+        <translation>Construido con %1</translation>
+    </message>
+    <message>
+        <source>This system has no font, so no text can be read; install one, for example Debian&apos;s package fonts-inter.</source>
+        <translation>Este sistema no tiene ningún tipo de letra, así que no se puede leer ningún texto; instale uno, por ejemplo el paquete fonts-inter de Debian.</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -4045,16 +4053,20 @@ Se ha perdido esto:</translation>
         <translation>Basado en «Hair Paint», de B. Hernández e I. Rudomín, 2004. Software libre con licencia MIT: úsalo, cámbialo, compártelo. Se ofrece sin garantía alguna.</translation>
     </message>
     <message>
-        <source>Qt %1 on %2</source>
-        <translation>Qt %1 en %2</translation>
-    </message>
-    <message>
         <source>Drawn by %1</source>
         <translation>Dibuja %1</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Runs on %1</source>
+        <translation>Funciona en %1</translation>
+    </message>
+    <message>
+        <source>Built with %1</source>
+        <translation>Construido con %1</translation>
     </message>
 </context>
 <context>

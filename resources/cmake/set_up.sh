@@ -12,6 +12,7 @@ HAIRPAINT_PACKAGES=(
 HAIRPAINT_TEST_PACKAGES=(xvfb xauth desktop-file-utils appstream shared-mime-info xdg-utils libfile-mimeinfo-perl man-db)
 HAIRPAINT_BENCH_PACKAGES=(libbenchmark-dev libmypaint-dev)
 HAIRPAINT_EXCHANGE_PACKAGES=(blender python3-numpy imagemagick chromium godot3-server)
+HAIRPAINT_PACKAGE_PACKAGES=(lintian debootstrap patchelf xvfb imagemagick)
 HAIRPAINT_MODELS_PACKAGES=(assimp-testmodels)
 HAIRPAINT_CLANG_PACKAGES=(clang libclang-rt-14-dev)
 HAIRPAINT_TIDY_PACKAGES=(clang-tidy clang-format libbenchmark-dev libmypaint-dev)

@@ -236,6 +236,25 @@ exchange() {
     NODE_PATH=$PWD/build/exchange/node_modules counted /usr/bin/python3 tests/exchange/check.py build/release/app/hairpaint build/exchange
 }
 
+# packages [SUITE...]: makes both and uses them on bare systems: what was made for this one on it, the portable one on others.
+packages() {
+    say "== packages"
+    install_packages "${HAIRPAINT_PACKAGE_PACKAGES[@]}" || exit 1
+    build release || { failed=$((failed + 1)); return; }
+    local made=$PWD/build/packages version
+    version=$(sed -n 's/^project(HairPaint VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+    rm -rf "$made"
+    cpack -G DEB --config build/release/CPackConfig.cmake -B "$made" >/dev/null || { failed=$((failed + 1)); return; }
+    resources/packaging/portable build/release "$made/hairpaint-$version-linux-x86_64.tar.xz" || { failed=$((failed + 1)); return; }
+    rm -rf "$made/_CPack_Packages"
+    ls -l "$made" >&2
+    if lintian --fail-on error --allow-root "$made"/*.deb >&2; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
+    counted tests/packaging/bare_system "$made"/*.deb bookworm build/bare
+    for suite in trixie jammy; do
+        counted tests/packaging/bare_system "$made"/*.tar.xz "$suite" build/bare
+    done
+}
+
 models() {
     say "== models"
     install_packages "${HAIRPAINT_MODELS_PACKAGES[@]}" || exit 1
