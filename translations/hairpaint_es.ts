@@ -5580,8 +5580,8 @@ Se ha perdido esto:</translation>
         <translation>Qué parte del pigmento es la rojiza</translation>
     </message>
     <message>
-        <source>“%1” is no colour; type six digits of 0–9 and A–F, such as %2.</source>
-        <translation>«%1» no es un color; escribe seis cifras de 0–9 y A–F, como %2.</translation>
+        <source>“%1” is no colour; type six digits of 0–9 and A–F, such as %2, or rgb(26, 43, 60).</source>
+        <translation>«%1» no es un color; escribe seis cifras de 0–9 y A–F, como %2, o rgb(26, 43, 60).</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@
 #include "model/files/project_file.h"
 #include "model/values/sentences.h"
 
+#include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -210,6 +211,7 @@ ExitCode runExport(const QStringList& arguments)
         if (const model::Result<void> written = model::writeUvSheet(project->head->skin->mesh(), sheet); !written)
             return failed(written.error());
     if (!mapFolder.isEmpty()) {
+        QDir().mkpath(mapFolder); // Where it can't be made, writing says so.
         const Interruption interruption;
         if (const model::Result<void> written = model::writeMapImages(wantedMapsOf(*project, *groups), mapFolder,
                                                                       *mapOptions, Interruption::progress());

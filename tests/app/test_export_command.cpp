@@ -294,7 +294,6 @@ private Q_SLOTS:
 
     void everyMapGoesIntoAFolder()
     {
-        QVERIFY(QDir().mkpath(path("maps")));
         const Outcome outcome = runProgram({QStringLiteral("export"), m_project, QStringLiteral("--maps"), path("maps"),
                                             QStringLiteral("--grey"), QStringLiteral("--uv-sheet"), path("sheet.svg")});
         QCOMPARE(outcome.error, QString());
@@ -318,10 +317,12 @@ private Q_SLOTS:
             QCOMPARE(after->texel(x, before->size() / 2)[0], before->texel(x, before->size() / 2)[0]);
     }
 
-    void aFolderThatIsNotThereIsToldOf()
+    void aFolderThatCannotBeMadeIsToldOf()
     {
+        QFile inTheWay(path("file"));
+        QVERIFY(inTheWay.open(QIODevice::WriteOnly));
         QCOMPARE(faultOf(m_folder.path(),
-                         {QStringLiteral("export"), m_project, QStringLiteral("--maps"), path("nowhere")},
+                         {QStringLiteral("export"), m_project, QStringLiteral("--maps"), path("file/nowhere")},
                          QStringLiteral("nowhere")),
                  QString());
     }

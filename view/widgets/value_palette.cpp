@@ -2,6 +2,7 @@
 #include "view/widgets/value_palette.h"
 
 #include "model/maps/texel_ops.h"
+#include "view/look/colour_text.h"
 #include "view/look/theme.h"
 #include "view/look/value_text.h"
 #include "view/widgets/action_button.h"
@@ -22,7 +23,6 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QScreen>
 #include <QVBoxLayout>
 
@@ -364,7 +364,7 @@ void ValuePalette::buildColour(QVBoxLayout& layout)
     row->setSpacing(metrics::kGap);
     auto* label = new QLabel(tr("&Hex"), m_body);
     m_hex = new QLineEdit(m_body);
-    m_hex->setMaxLength(7);
+    m_hex->setMaxLength(40); // What other programs put into the clipboard.
     m_hex->setFixedWidth(88);
     label->setBuddy(m_hex);
     connect(m_hex, &QLineEdit::textEdited, this, [this] {
@@ -396,17 +396,16 @@ void ValuePalette::takeHex(bool stays)
 {
     if (!m_hex->isModified())
         return;
-    static const QRegularExpression pattern(QStringLiteral("^#?([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6})$"));
     const QString text = m_hex->text().trimmed();
-    if (pattern.match(text).hasMatch()) {
+    if (const std::optional<QColor> colour = colourFromText(text)) {
         PaintValue value = edited(m_state.target().map());
-        value.colour = QColor(text.startsWith(QLatin1Char('#')) ? text : QLatin1Char('#') + text);
+        value.colour = *colour;
         m_hex->setModified(false);
         setValue(value);
         m_hex->setText(value.colour.name());
         return;
     }
-    const QString sentence = tr("“%1” is no colour; type six digits of 0–9 and A–F, such as %2.")
+    const QString sentence = tr("“%1” is no colour; type six digits of 0–9 and A–F, such as %2, or rgb(26, 43, 60).")
                                  .arg(text, edited(m_state.target().map()).colour.name());
     markRefused(*m_hex, stays);
     if (!stays) // The colour painted is shown again.
