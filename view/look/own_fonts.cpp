@@ -4,17 +4,28 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFontDatabase>
+#include <QFontInfo>
 
 namespace hairpaint::view {
 
+namespace {
+
+/// The boxes that are drawn without any have no name; families are listed even then: names that stand for others.
+bool isThereAFont()
+{
+    return !QFontInfo(QFont()).family().isEmpty();
+}
+
+} // namespace
+
 bool provideFonts()
 {
-    if (!QFontDatabase::families().isEmpty())
+    if (isThereAFont())
         return true;
     const QDir folder(QCoreApplication::applicationDirPath() + QStringLiteral("/../share/hairpaint/fonts"));
     for (const QString& file : folder.entryList({QStringLiteral("*.otf"), QStringLiteral("*.ttf")}, QDir::Files))
         QFontDatabase::addApplicationFont(folder.filePath(file));
-    return !QFontDatabase::families().isEmpty();
+    return isThereAFont();
 }
 
 } // namespace hairpaint::view
