@@ -8,6 +8,7 @@
 #include "model/journal/journal_format.h"
 #include "model/journal/journal_writer.h"
 #include "model/project/group_schema.h"
+#include "model/tools/tool_list.h"
 #include "tests/fuzz/made_archive.h"
 #include "tests/model/exported_hair.h"
 #include "tests/model/sample_project.h"
@@ -220,6 +221,22 @@ int main(int argc, char** argv)
     seeds.write("import", "mesh",
                 QByteArray(1, '\0') + QByteArray("\x01\x10\x20\x30\x00\x00\x10\x08\x08", 9).repeated(6));
     seeds.write("import", "image", QByteArray("\x01\x04\x04\x02\x00\x00", 6) + QByteArray(96, '\x33'));
+
+    QByteArray options; // Of every tool, each beyond what it can be.
+    for (const auto& tool : model::makeTools())
+        for (const model::ToolOption* option : tool->options())
+            options += QByteArray(", \"tools/") + option->key + "\": 1e9";
+    seeds.write(
+        "settings", "whole",
+        QByteArray(R"({"theme": "light", "language": "es", "presenter": 2, "whitePaper": true, "earlierVersions": true,
+"geometry": "base64:AdnQywADAAA=", "recentFiles": ["/a/b.hairpaint", "/c.hairpaint"], "lastFolder": "/a",
+"viewTurned": true, "avatarAuthor": "A", "keys/file.save": "Ctrl+Shift+S", "places/export": [100, 40],
+"picture": {"asView": false, "width": 1920, "height": 1080, "keepsShape": true, "framing": 3, "background": 2,
+"colour": "#102030", "samples": 16})") +
+            options + '}');
+    seeds.write("settings", "beyond",
+                R"({"presenter": 1e300, "places/export": [2147483647, -1e300], "tools/size": 1e300,
+"picture": {"width": -2147483649, "height": 1e300, "samples": 4294967297, "framing": -1, "colour": "#"}})");
 
     const QString journal = fuzz::scratchPath(QStringLiteral("journal"));
     {
