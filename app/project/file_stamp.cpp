@@ -1,6 +1,7 @@
 // Size and time.
 #include "app/project/file_stamp.h"
 
+#include <QDateTime>
 #include <QFileInfo>
 
 namespace hairpaint::app {
@@ -14,12 +15,13 @@ FileStamp stampOf(const QString& path)
     return {.wholeName = exists ? file.canonicalFilePath() : file.absoluteFilePath(),
             .exists = exists,
             .size = file.size(),
-            .modified = file.lastModified()};
+            .modifiedMs = exists ? file.lastModified().toMSecsSinceEpoch() : 0};
 }
 
 bool isChanged(const FileStamp& before, const FileStamp& now)
 {
-    return !before.wholeName.isEmpty() && now.exists && (now.size != before.size || now.modified != before.modified);
+    return !before.wholeName.isEmpty() && now.exists &&
+           (now.size != before.size || now.modifiedMs != before.modifiedMs);
 }
 
 bool isGone(const FileStamp& before, const FileStamp& now)

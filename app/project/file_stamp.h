@@ -1,7 +1,6 @@
 // What a disk says of a file, to know it and its changes by.
 #pragma once
 
-#include <QDateTime>
 #include <QString>
 
 namespace hairpaint::app {
@@ -11,7 +10,7 @@ struct FileStamp
     QString wholeName; ///< The same for all links to a file and spellings of its path. Empty: nothing is known.
     bool exists = false;
     qint64 size = 0;
-    QDateTime modified;
+    qint64 modifiedMs = 0; ///< Since 1970, UTC: the same in every time zone.
 };
 
 /// Returns when the disk has answered, so it is not for the GUI thread.

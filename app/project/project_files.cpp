@@ -276,13 +276,13 @@ FileStamp ProjectFiles::stampBefore() const
     return {.wholeName = path(),
             .exists = true,
             .size = m_asRestored.bytes,
-            .modified = QDateTime::fromMSecsSinceEpoch(m_asRestored.timeMs)};
+            .modifiedMs = m_asRestored.timeMs};
 }
 
 model::KnownFile ProjectFiles::knownFile() const
 {
     const FileStamp& stamp = m_file.stamp();
-    return stamp.exists ? model::KnownFile{.bytes = stamp.size, .timeMs = stamp.modified.toMSecsSinceEpoch()}
+    return stamp.exists ? model::KnownFile{.bytes = stamp.size, .timeMs = stamp.modifiedMs}
                         : m_asRestored;
 }
 

@@ -10,6 +10,7 @@ namespace hairpaint::app {
 namespace {
 
 constexpr qsizetype kRecentFiles = 10;
+constexpr double kFarthestPx = 1e6; ///< From the screen's corner; no screen is so large.
 
 } // namespace
 
@@ -147,7 +148,10 @@ std::optional<QPoint> Settings::dialogPlace(const QString& dialog) const
     const QVariantList place = m_settings.value(QStringLiteral("places/") + dialog).toList();
     if (place.size() != 2)
         return std::nullopt;
-    return QPoint(place[0].toInt(), place[1].toInt());
+    const auto coordinate = [](const QVariant& value) {
+        return static_cast<int>(std::clamp(value.toDouble(), -kFarthestPx, kFarthestPx));
+    };
+    return QPoint(coordinate(place[0]), coordinate(place[1]));
 }
 
 void Settings::setDialogPlace(const QString& dialog, QPoint place)

@@ -115,17 +115,32 @@ QStringList OwnFolder::names() const
     return found;
 }
 
+namespace {
+
+qint64 modifiedMsOf(const struct stat& status)
+{
+    constexpr qint64 kMsPerSecond = 1000;
+    constexpr qint64 kNsPerMs = 1'000'000;
+#ifdef Q_OS_DARWIN
+    const timespec& time = status.st_mtimespec;
+#else
+    const timespec& time = status.st_mtim;
+#endif
+    return time.tv_sec * kMsPerSecond + time.tv_nsec / kNsPerMs;
+}
+
+} // namespace
+
 std::optional<OwnEntry> OwnFolder::entry(const QString& name) const
 {
     const std::optional<struct stat> status = statusOf(m_descriptor, name);
     if (!status)
         return std::nullopt;
-    constexpr qint64 kMsPerSecond = 1000;
     return OwnEntry{.kind = S_ISREG(status->st_mode)   ? OwnEntry::Kind::File
                             : S_ISDIR(status->st_mode) ? OwnEntry::Kind::Folder
                                                        : OwnEntry::Kind::Other,
                     .size = status->st_size,
-                    .modifiedMs = status->st_mtime * kMsPerSecond,
+                    .modifiedMs = modifiedMsOf(*status),
                     .hasOtherNames = status->st_nlink > 1};
 }
 

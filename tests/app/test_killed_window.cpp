@@ -31,6 +31,7 @@ namespace {
 
 constexpr const char* kFolderVariable = "HAIRPAINT_KILLED_FOLDER";
 constexpr const char* kSeedVariable = "HAIRPAINT_KILLED_SEED";
+constexpr std::array kZones{"EAST-14", "WEST+12"};        ///< Each start is in the other one, a day and more away.
 constexpr int kStartMs = 10 * kPatienceMs;                ///< Of many windows some start late.
 constexpr qsizetype kMostShown = 800;                     ///< Letters of a log.
 constexpr const char* kGoesBack = "goes back or forth\n"; ///< Written down before an undo or a redo.
@@ -403,8 +404,10 @@ private Q_SLOTS:
             QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
             environment.insert(QLatin1StringView(kFolderVariable), m_folder.path());
             environment.insert(QLatin1StringView(kSeedVariable), QString::number(turn));
-            window.setProcessEnvironment(environment);
-            const auto start = [&window](const char* what) {
+            std::size_t starts = static_cast<std::size_t>(turn);
+            const auto start = [&](const char* what) {
+                environment.insert(QStringLiteral("TZ"), QLatin1StringView(kZones[starts++ % kZones.size()]));
+                window.setProcessEnvironment(environment);
                 window.start(QCoreApplication::applicationFilePath(),
                              {QStringLiteral("killed_window"), QLatin1StringView(what), QStringLiteral("-maxwarnings"),
                               QStringLiteral("0")});

@@ -1,4 +1,4 @@
-// Unsaved work where disks, clocks, links and other programs are against it: it is offered, or it is told why not, and
+// Unsaved work where disks, links and other programs are against it: it is offered, or it is told why not, and
 // nothing of anybody else's is touched.
 #include "app/recovery/recovery.h"
 #include "model/journal/journal_format.h"
@@ -8,7 +8,6 @@
 #include "tests/support/file_faults.h"
 #include "tests/support/test_program.h"
 
-#include <array>
 #include <limits>
 
 #ifdef Q_OS_UNIX
@@ -239,48 +238,6 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!Jobs::anyLeft(), kPatienceMs);
     }
 #endif
-
-    void anOddClockHidesNothing()
-    {
-        // Of windows that were killed while the clock was wrong by decades, or stood before all times.
-        constexpr qint64 kYearMs = qint64{365} * 24 * 3600 * 1000;
-        const qint64 now = QDateTime::currentMSecsSinceEpoch();
-        const std::array<qint64, 5> times{-kYearMs, 0, now - 30 * kYearMs, now, now + 30 * kYearMs};
-        const auto setTime = [](const QString& path, qint64 time) {
-            QFile file(path);
-            return file.open(QIODevice::ReadWrite) &&
-                   file.setFileTime(QDateTime::fromMSecsSinceEpoch(time), QFileDevice::FileModificationTime);
-        };
-        for (std::size_t i = 0; i < times.size(); ++i) {
-            const QString folder = makeFolder();
-            const QString journal = folder + QStringLiteral("/journal");
-            model::JournalWriter writer(journal);
-            QVERIFY(writer.append({.project = model::newProject(),
-                                   .path = QStringLiteral("/folder/work %1.hairpaint").arg(i),
-                                   .step = {},
-                                   .index = 0,
-                                   .count = 0,
-                                   .timeMs = times[i]}));
-            leaveLock(folder);
-            QVERIFY(setTime(journal, times[i]));
-            QVERIFY(setTime(folder + QStringLiteral("/lock"), times[times.size() - 1 - i]));
-        }
-        // Nor does it take a lock from a window that lives.
-        openBald();
-        stroke(0.5F);
-        m_window->keepWork();
-        for (const QString& name : QDir(JournalFolder::root()).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
-            const QString lock = JournalFolder::root() + QLatin1Char('/') + name + QStringLiteral("/lock");
-            QVERIFY(setTime(lock, now - 30 * kYearMs));
-        }
-        const auto other = std::make_unique<MainWindow>(model::newProject(), QString());
-        RecoveryAnswer answer(QStringLiteral("Not now"));
-        other->offerUnsavedWork();
-        QCOMPARE(answer.offered.size(), static_cast<qsizetype>(times.size()));
-        for (qsizetype i = 0; i < answer.offered.size(); ++i) // The newest first.
-            QVERIFY2(answer.offered[i].startsWith(QStringLiteral("work %1").arg(answer.offered.size() - 1 - i)),
-                     qPrintable(answer.offered[i]));
-    }
 
     void whatAJournalSaysOfItselfIsBounded()
     {

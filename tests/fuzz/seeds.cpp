@@ -7,12 +7,16 @@
 #include "model/files/wire_format.h"
 #include "model/journal/journal_format.h"
 #include "model/journal/journal_writer.h"
+#include "model/project/group_schema.h"
+#include "model/tools/tool_list.h"
 #include "tests/fuzz/made_archive.h"
 #include "tests/model/exported_hair.h"
 #include "tests/model/sample_project.h"
 
 #include <QDir>
+#include <QJsonDocument>
 
+#include <array>
 #include <cstdio>
 
 using namespace hairpaint;
@@ -51,9 +55,41 @@ model::Project smallProject()
     return project;
 }
 
-QByteArray imageOf(const model::Project& project)
+constexpr std::array kFullMaps{model::MapKind::Density, model::MapKind::Frizz, model::MapKind::Width,
+                               model::MapKind::Gloss};
+
+/// The same with a value of its own for every setting of the group, some maps more, and all that a worn thing can tell.
+model::Project fullProject()
 {
-    return model::encodeLayer(project.groups.front().map(model::MapKind::Density).layers.front().raster).bytes;
+    model::Project project = smallProject();
+    model::HairGroup& group = project.groups.front();
+    for (const model::GroupSetting& row : model::groupSchema()) {
+        const double last = row.isSwitch() ? 1.0 : static_cast<double>(row.choices.size()) - 1.0;
+        const bool isOneOfFew = row.isSwitch() || !row.choices.empty();
+        row.write(group.settings, isOneOfFew ? last : row.least + (row.greatest - row.least) / 3.0);
+    }
+    project.nextId = group.id + 1; // An input has room for ids up to 31.
+    for (const model::MapKind kind : kFullMaps) {
+        model::Layer layer = model::makeLayer(project, model::mapSpec(kind), 256, QString());
+        layer.raster.setUniform(2, {1, 65'535, 65'535, 65'535});
+        group.map(kind).layers = {layer};
+    }
+    const model::WornSpec& ball = model::wornSpec(model::WornKind::Ball);
+    for (const model::Id worn : {group.id, model::Id(0)}) {
+        model::Worn bead =
+            model::makeWorn(ball, {.positionHd = {0.0F, 0.1F, 0.0F}, .normalHd = {0.0F, 1.0F, 0.0F}}, worn);
+        bead.id = project.takeId();
+        bead.colour = 0xFF102030;
+        bead.sheen = 0.25F;
+        bead.anchor = {.face = 7, .barycentric = {0.25F, 0.25F, 0.5F}};
+        model::insertWorn(project.worn, bead);
+    }
+    return project;
+}
+
+QByteArray imageOf(const model::Project& project, model::MapKind kind = model::MapKind::Density)
+{
+    return model::encodeLayer(project.groups.front().map(kind).layers.front().raster).bytes;
 }
 
 QByteArray fileOf(const model::Project& project)
@@ -64,11 +100,32 @@ QByteArray fileOf(const model::Project& project)
     return test::readBytes(path);
 }
 
+/// Short, so that more of an input is worth changing.
+QByteArray compact(const QByteArray& json)
+{
+    return QJsonDocument::fromJson(json).toJson(QJsonDocument::Compact);
+}
+
+/// As made_archive.h reads an image of group 1.
+QByteArray layerOf(model::MapKind kind, int layer, const QByteArray& png)
+{
+    return QByteArray(1, '\x01') + QByteArray(1, static_cast<char>(kind)) + QByteArray(1, static_cast<char>(layer)) +
+           fuzz::pieceOf(png);
+}
+
 /// As made_archive.h reads it; its one layer lies in group 1, density.
 QByteArray madeOf(const QByteArray& json, const QByteArray& glb, int layer, const QByteArray& png)
 {
-    return QByteArray("\x01", 1) + fuzz::pieceOf(json) + fuzz::pieceOf(glb) + QByteArray("\x01\x00", 2) +
-           QByteArray(1, static_cast<char>(layer)) + fuzz::pieceOf(png);
+    return QByteArray("\x01", 1) + fuzz::pieceOf(json) + fuzz::pieceOf(glb) +
+           layerOf(model::MapKind::Density, layer, png);
+}
+
+QByteArray madeOf(const QByteArray& json, const model::Project& project)
+{
+    QByteArray bytes = QByteArray("\x01", 1) + fuzz::pieceOf(compact(json)) + fuzz::pieceOf({});
+    for (const model::MapKind kind : kFullMaps)
+        bytes += layerOf(kind, project.groups.front().map(kind).layers.front().id, imageOf(project, kind));
+    return bytes;
 }
 
 QByteArray bytesOf(const wire::Bytes& message, char kind)
@@ -114,6 +171,14 @@ int main(int argc, char** argv)
     preset.replace("hairpaint project", "hairpaint preset");
     seeds.write("preset", "made", madeOf(preset, {}, layer, png));
 
+    const model::Project full = fullProject();
+    const QByteArray fullJson = model::projectToJson(full).value();
+    seeds.write("project", "full", madeOf(fullJson, full));
+    seeds.write(
+        "preset", "full",
+        madeOf(model::presetToJson({.name = QStringLiteral("Full"), .groups = full.groups, .head = full.head}).value(),
+               full));
+
     seeds.write("png", "layer", QByteArray("\x01\x00", 2) + png);
     seeds.write("png", "picture", QByteArray("\x01\x00", 2) + test::pngOf(4, 4, 8, 6, test::packedZeros(4 * 17)));
     seeds.write("png", "picture_rgb", QByteArray("\x01\x00", 2) + test::pngOf(4, 4, 8, 2, test::packedZeros(4 * 13)));
@@ -157,6 +222,22 @@ int main(int argc, char** argv)
                 QByteArray(1, '\0') + QByteArray("\x01\x10\x20\x30\x00\x00\x10\x08\x08", 9).repeated(6));
     seeds.write("import", "image", QByteArray("\x01\x04\x04\x02\x00\x00", 6) + QByteArray(96, '\x33'));
 
+    QByteArray options; // Of every tool, each beyond what it can be.
+    for (const auto& tool : model::makeTools())
+        for (const model::ToolOption* option : tool->options())
+            options += QByteArray(", \"tools/") + option->key + "\": 1e9";
+    seeds.write(
+        "settings", "whole",
+        QByteArray(R"({"theme": "light", "language": "es", "presenter": 2, "whitePaper": true, "earlierVersions": true,
+"geometry": "base64:AdnQywADAAA=", "recentFiles": ["/a/b.hairpaint", "/c.hairpaint"], "lastFolder": "/a",
+"viewTurned": true, "avatarAuthor": "A", "keys/file.save": "Ctrl+Shift+S", "places/export": [100, 40],
+"picture": {"asView": false, "width": 1920, "height": 1080, "keepsShape": true, "framing": 3, "background": 2,
+"colour": "#102030", "samples": 16})") +
+            options + '}');
+    seeds.write("settings", "beyond",
+                R"({"presenter": 1e300, "places/export": [2147483647, -1e300], "tools/size": 1e300,
+"picture": {"width": -2147483649, "height": 1e300, "samples": 4294967297, "framing": -1, "colour": "#"}})");
+
     const QString journal = fuzz::scratchPath(QStringLiteral("journal"));
     {
         model::JournalWriter writer(journal);
@@ -166,5 +247,8 @@ int main(int argc, char** argv)
     seeds.write("journal", "file", QByteArray(1, '\0') + test::readBytes(journal));
     const QByteArray tile = QByteArray("\x02\x02\x01", 3) + fuzz::pieceOf(QByteArray(8, '\x11'));
     seeds.write("journal", "made", QByteArray("\x01", 1) + tile + stateBytes(json, layer));
+    seeds.write("journal", "full",
+                QByteArray("\x01", 1) + tile +
+                    stateBytes(compact(fullJson), full.groups.front().map(model::MapKind::Density).layers.front().id));
     return 0;
 }

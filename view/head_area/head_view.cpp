@@ -1,19 +1,14 @@
-// The 3D area as a widget: its parts and children, its camera's flight, its drawing and its keys.
+// The 3D area as a widget: its parts, its camera's flight, and what the document, the window and hands tell it.
 #include "view/head_area/head_view.h"
 
 #include "view/editing/editor_state.h"
-#include "view/head_area/frame_pacer.h"
-#include "view/head_area/frame_presenter.h"
-#include "view/head_area/gl_presenter.h"
 #include "view/head_area/head_camera.h"
-#include "view/head_area/head_overlay.h"
+#include "view/head_area/head_cover.h"
+#include "view/head_area/head_frames.h"
 #include "view/head_area/head_pointer.h"
 #include "view/head_area/head_scene.h"
 #include "view/head_area/head_turn.h"
-#include "view/head_area/shown_directions.h"
-#include "view/head_area/view_signs.h"
 #include "view/head_area/weather_overlay.h"
-#include "view/head_area/worn_drag.h"
 #include "view/head_area/worn_edit.h"
 #include "view/rendering/card_set.h"
 
@@ -27,53 +22,50 @@
 namespace hairpaint::view {
 
 HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choice, QWidget* parent)
-    : PaintedArea(state, parent), m_state(state), m_overlay(new HeadOverlay(theme, this)),
-      m_weather(new WeatherOverlay(theme, this)), m_signs(new ViewSigns(this)), m_turn(new HeadTurn(this)),
+    : PaintedArea(state, parent), m_state(state), m_turn(new HeadTurn(this)),
       m_scene(std::make_unique<HeadScene>(state, *m_turn, *this)),
       m_pointer(std::make_unique<HeadPointer>(state, *m_scene, *m_turn, *this)),
-      m_pacer(std::make_unique<FramePacer>()),
-      m_directions(std::make_unique<ShownDirections>(state, *m_overlay, [this] { return shown(); })),
+      m_cover(std::make_unique<HeadCover>(state, *m_scene, theme, *this)),
+      m_frames(std::make_unique<HeadFrames>(*m_scene, *this, choice)),
       m_flight([this](const rendering::Camera& camera) {
           m_scene->setCamera(camera);
-          m_pacer->wake();
+          m_frames->wake();
       })
 {
     setObjectName(QStringLiteral("headArea"));
     setMinimumSize(160, 160);
-    m_weather->hide();
     connectParts();
 
     refreshHead();
     refreshEnvironment();
     if (const std::optional<rendering::Camera> start = m_scene->cameraFor(rendering::StandardView::ThreeQuarter))
         setCamera(*start);
-    makePresenter(choice);
+    layOut();
 }
 
 HeadView::~HeadView()
 {
-    // Its thread and its context end before what it reports to.
-    delete m_presenter;
+    // What they report to is there until they end.
+    m_frames.reset();
 }
 
 void HeadView::connectParts()
 {
-    connect(m_weather, &WeatherOverlay::windWanted, this, &HeadView::windWanted);
-    connect(m_weather, &WeatherOverlay::lightWanted, this, &HeadView::lightWanted);
-    connect(m_weather, &WeatherOverlay::leaveWanted, this, [this] { setWeatherShown(false); });
+    const WeatherOverlay& weather = m_cover->weather();
+    connect(&weather, &WeatherOverlay::windWanted, this, &HeadView::windWanted);
+    connect(&weather, &WeatherOverlay::lightWanted, this, &HeadView::lightWanted);
+    connect(&weather, &WeatherOverlay::leaveWanted, this, [this] { setWeatherShown(false); });
 
+    const auto refreshAll = [this] {
+        refreshRings();
+        m_cover->refresh();
+    };
     connect(&m_state.document(), &model::Document::changed, this, &HeadView::onDocumentChanged);
     connect(&m_state.hover(), &Hover::changed, this, &HeadView::refreshRings);
     connect(&m_state.tools(), &ToolBox::settingsChanged, this, &HeadView::refreshRings);
-    connect(&m_state.options(), &ViewOptions::changed, this, [this] {
-        refreshRings();
-        refreshOverlay();
-    });
-    connect(&m_state.tools(), &ToolBox::activeChanged, this, [this] {
-        refreshRings();
-        refreshOverlay();
-    });
-    connect(&m_state.tools(), &ToolBox::overlayChanged, this, &HeadView::refreshOverlay);
+    connect(&m_state.options(), &ViewOptions::changed, this, refreshAll);
+    connect(&m_state.tools(), &ToolBox::activeChanged, this, refreshAll);
+    connect(&m_state.tools(), &ToolBox::overlayChanged, this, [this] { m_cover->refresh(); });
 
     connect(m_turn, &HeadTurn::poseWanted, this, &HeadView::poseWanted);
     connect(m_pointer.get(), &HeadPointer::cameraWanted, this, &HeadView::setCamera);
@@ -83,36 +75,11 @@ void HeadView::connectParts()
     connect(m_pointer.get(), &HeadPointer::viewTurned, this, &HeadView::viewTurned);
     connect(m_pointer.get(), &HeadPointer::statusText, this, &HeadView::statusText);
     connect(m_pointer.get(), &HeadPointer::contextMenuWanted, this, &HeadView::contextMenuWanted);
-    connect(m_pacer.get(), &FramePacer::drawDue, this, &HeadView::draw);
-    connect(m_pacer.get(), &FramePacer::stillEnded, this, &HeadView::refreshSigns);
-}
-
-void HeadView::makePresenter(PresenterChoice choice)
-{
-    m_presenter = FramePresenter::make(choice, this);
-    connect(m_presenter, &FramePresenter::shows, this, &HeadView::follow);
-    connect(m_presenter, &FramePresenter::frameDrawn, this, &HeadView::frameDrawn);
-    connect(m_presenter, &FramePresenter::refining, this, [this](bool on) {
-        m_refining = on;
-        refreshSigns();
-    });
-    connect(m_presenter, &FramePresenter::failed, this, &HeadView::onPresenterFailed, Qt::QueuedConnection);
-    m_presenter->widget().lower();
-    m_presenter->widget().show();
-    placeChildren();
-}
-
-void HeadView::onPresenterFailed(const QString& reason)
-{
-    // What comes from anything but OpenGL was sent by a presenter that is no more.
-    if (qobject_cast<GlPresenter*>(m_presenter) == nullptr)
-        return;
-    QWidget* shown = &m_presenter->widget();
-    delete std::exchange(m_presenter, nullptr);
-    delete shown;
-    makePresenter(PresenterChoice::Software);
-    m_pacer->requestDraw();
-    Q_EMIT glUnavailable(reason);
+    connect(m_frames.get(), &HeadFrames::shows, this, &HeadView::follow);
+    connect(m_frames.get(), &HeadFrames::frameDrawn, this, &HeadView::frameDrawn);
+    connect(m_frames.get(), &HeadFrames::finenessChanged, this, &HeadView::refreshSigns);
+    connect(m_frames.get(), &HeadFrames::presenterChanged, this, &HeadView::layOut);
+    connect(m_frames.get(), &HeadFrames::glUnavailable, this, &HeadView::glUnavailable);
 }
 
 QSize HeadView::sizeHint() const
@@ -122,27 +89,14 @@ QSize HeadView::sizeHint() const
 
 void HeadView::setTheme(const Theme& theme)
 {
-    m_overlay->setTheme(theme);
-    m_weather->setTheme(theme);
+    m_cover->setTheme(theme);
 }
 
 void HeadView::setFrame(std::shared_ptr<const sim::StrandFrame> frame)
 {
     if (frame && (frame->revision < m_firstRevision || !m_scene->isOnHead(*frame)))
         return; // Of the project, or the head, before this one.
-    const std::shared_ptr<const sim::StrandFrame>& shown = m_scene->scene().hair;
-    // Cards stand still, but for the head that wears them.
-    const bool unseen = cardsShown() && frame && shown && frame->pose == shown->pose;
-    const bool isFirst = frame && !shown;
-    const bool moved = (m_stillness.moved(frame, m_scene->camera(), size()) || isFirst) && !unseen;
-    const bool finer = frame && shown && sim::placedDetail(*frame) > sim::placedDetail(*shown);
-    if (m_pacer->still() && !moved && !finer)
-        return; // A picture that is being refined is worth more than a difference nobody sees.
-    m_scene->setHair(std::move(frame));
-    if (moved)
-        m_pacer->wake();
-    else
-        m_pacer->requestDraw();
+    m_frames->setHair(std::move(frame));
 }
 
 void HeadView::showCards(std::shared_ptr<const rendering::CardSet> cards)
@@ -151,7 +105,7 @@ void HeadView::showCards(std::shared_ptr<const rendering::CardSet> cards)
         return;
     m_scene->setCards(std::move(cards));
     refreshSigns();
-    m_pacer->wake();
+    m_frames->wake();
     Q_EMIT cardsShownChanged(cardsShown());
 }
 
@@ -171,7 +125,7 @@ void HeadView::setCamera(const rendering::Camera& camera)
     if (camera == m_scene->camera())
         return;
     m_scene->setCamera(camera);
-    m_pacer->wake();
+    m_frames->wake();
 }
 
 void HeadView::setView(rendering::StandardView view)
@@ -219,12 +173,12 @@ void HeadView::animateTo(const std::optional<rendering::Camera>& camera)
 
 bool HeadView::awake() const
 {
-    return !m_presenter->resting() || m_pacer->waiting() || m_flight.underWay() || m_turn->moving();
+    return m_frames->awake() || m_flight.underWay() || m_turn->moving();
 }
 
 bool HeadView::refining() const
 {
-    return m_refining;
+    return m_frames->refining();
 }
 
 rendering::Scene HeadView::pictureScene() const
@@ -234,7 +188,7 @@ rendering::Scene HeadView::pictureScene() const
 
 QImage HeadView::grabPicture(QSize size)
 {
-    return size.isEmpty() ? QImage() : m_presenter->grab(pictureScene(), size);
+    return size.isEmpty() ? QImage() : m_frames->grab(pictureScene(), size);
 }
 
 std::optional<sim::SurfacePoint> HeadView::skinAt(QPointF position) const
@@ -249,23 +203,23 @@ std::optional<QPointF> HeadView::positionOf(glm::vec3 positionHd) const
 
 QString HeadView::rendererDescription() const
 {
-    return m_presenter->description();
+    return m_frames->description();
 }
 
 bool HeadView::weatherShown() const
 {
-    return !m_weather->isHidden();
+    return !m_cover->weather().isHidden();
 }
 
 void HeadView::setWeatherShown(bool shown)
 {
     if (shown == weatherShown())
         return;
-    m_weather->setVisible(shown);
-    placeChildren();
+    m_cover->weather().setVisible(shown);
+    m_cover->layOut();
     if (shown) {
         refreshEnvironment();
-        m_weather->setFocus(Qt::OtherFocusReason);
+        m_cover->weather().setFocus(Qt::OtherFocusReason);
     } else {
         setFocus(Qt::OtherFocusReason);
     }
@@ -288,17 +242,15 @@ void HeadView::onDocumentChanged(const model::Change& change)
         m_firstRevision = m_state.document().revision();
         m_ownHairAwaited = true;
         m_scene->setHair(nullptr);
-        m_pacer->wake();
+        m_frames->wake();
     }
     if (change.aspect == Aspect::Head || change.aspect == Aspect::Everything) {
         refreshHead();
-        refreshOverlay(); // Its ellipsoids may be others while its mesh is the same.
+        m_cover->refresh(); // Its ellipsoids may be others while its mesh is the same.
     }
     if (change.aspect == Aspect::Environment || change.aspect == Aspect::Everything) {
         refreshEnvironment();
-        if (m_state.options().collidersShown() || m_state.options().chosenWorn() != 0 ||
-            !m_overlay->wornOutlines().empty())
-            refreshOverlay();
+        m_cover->refreshWorn();
     }
 }
 
@@ -311,102 +263,65 @@ void HeadView::refreshHead()
         return;
     if (hadHead)
         fit();
-    m_pacer->wake();
+    m_frames->wake();
 }
 
 void HeadView::refreshEnvironment()
 {
     const model::Project& project = m_state.document().project();
     m_scene->setEnvironment(project, m_pointer->draggedLight().value_or(project.light));
-    m_weather->setValues(project.wind, project.light);
-    m_pacer->wake();
+    m_cover->weather().setValues(project.wind, project.light);
+    m_frames->wake();
 }
 
 void HeadView::refreshRings()
 {
     const bool ringDiffers = m_scene->refreshRings();
-    m_overlay->setGhost(m_scene->hiddenRing());
+    m_cover->refreshRing();
     if (ringDiffers)
-        m_pacer->wake();
+        m_frames->wake();
     m_pointer->updateCursor();
 }
 
-/// What lies over the picture moves with it, not with the camera or the hair, which may be pictures ahead.
 void HeadView::follow(const Sight& sight)
 {
     if (m_ownHairAwaited && sight.hairRevision >= m_firstRevision) {
         m_ownHairAwaited = false;
         Q_EMIT ownHairShown();
     }
-    if (std::exchange(m_shown, sight) == sight)
-        return;
-    refreshOverlay();
-    m_directions->refresh();
-}
-
-Sight HeadView::shown() const
-{
-    return m_shown.value_or(Sight{.camera = m_scene->camera(), .pose = m_scene->shownPose()});
-}
-
-void HeadView::refreshOverlay()
-{
-    const Sight sight = shown();
-    m_overlay->setShapes(m_state.tools().overlay(), m_scene->skin(), sight.camera, sight.pose);
-    m_overlay->setWorn(outlinedWorn(m_state), m_state.options().chosenWorn(), sight.camera, sight.pose);
-    m_overlay->setGhost(m_scene->hiddenRing());
-    m_directions->refreshSoon();
+    m_cover->follow(sight);
 }
 
 void HeadView::setLookedAt(std::optional<model::MapKind> map)
 {
-    m_directions->setLookedAt(map);
+    m_cover->setLookedAt(map);
 }
 
 void HeadView::refreshSigns()
 {
     // While something moves the last picture's word no longer holds.
     const std::shared_ptr<const rendering::CardSet>& cards = m_scene->scene().cards;
-    m_signs->show(m_paused, m_refining && m_pacer->still(), cards ? cards->triangles.size() : 0);
-    placeChildren();
+    m_cover->showSigns(m_paused, m_frames->refining() && m_frames->still(), cards ? cards->triangles.size() : 0);
 }
 
-void HeadView::draw()
+void HeadView::layOut()
 {
-    if (!isVisible())
-        return; // showEvent asks again.
-    m_pacer->drawing();
-    const rendering::Scene& scene = m_scene->scene();
-    m_presenter->present({.scene = scene,
-                          .allHairs = scene.hair && !scene.cards ? scene.hair->hairCount : 0,
-                          .still = m_pacer->still()});
-}
-
-void HeadView::placeChildren()
-{
-    constexpr int kMargin = 12;
-    if (m_presenter != nullptr)
-        m_presenter->widget().setGeometry(rect());
-    m_overlay->setGeometry(rect());
-    const QSize panel = m_weather->sizeHint().boundedTo(size() - QSize(2 * kMargin, 2 * kMargin));
-    m_weather->setGeometry(QRect(QPoint(kMargin, height() - kMargin - panel.height()), panel));
-    m_weather->raise();
-    m_signs->move(width() - kMargin - m_signs->width(), kMargin);
-    m_signs->raise();
+    m_frames->setGeometry(rect());
+    m_cover->layOut();
 }
 
 void HeadView::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    m_pacer->requestDraw();
+    m_frames->requestDraw();
 }
 
 void HeadView::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    placeChildren();
-    refreshOverlay();
-    m_pacer->wake();
+    layOut();
+    m_cover->refresh();
+    m_frames->wake();
 }
 
 bool HeadView::event(QEvent* event)
@@ -426,7 +341,7 @@ bool HeadView::event(QEvent* event)
 void HeadView::keyPressEvent(QKeyEvent* event)
 {
     if (!m_pointer->handleKey(static_cast<Qt::Key>(event->key()), event->modifiers()) &&
-        (!weatherShown() || !m_weather->handleKey(event->key(), event->modifiers())))
+        (!weatherShown() || !m_cover->weather().handleKey(event->key(), event->modifiers())))
         QWidget::keyPressEvent(event);
 }
 

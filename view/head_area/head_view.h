@@ -6,8 +6,8 @@
 #include "sim/motion/strand_frame.h"
 #include "view/editing/painted_area.h"
 #include "view/head_area/camera_flight.h"
-#include "view/head_area/frame_presenter.h"
-#include "view/head_area/stillness.h"
+#include "view/head_area/presenter_choice.h"
+#include "view/head_area/shot.h"
 #include "view/look/theme.h"
 #include "view/rendering/backend.h"
 #include "view/rendering/scene.h"
@@ -24,15 +24,11 @@ struct Change;
 
 namespace hairpaint::view {
 
-class FramePacer;
-class FramePresenter;
-class HeadOverlay;
+class HeadCover;
+class HeadFrames;
 class HeadPointer;
 class HeadScene;
 class HeadTurn;
-class ShownDirections;
-class ViewSigns;
-class WeatherOverlay;
 
 /// Needs no OpenGL: without a GPU our own renderer draws. The window's actions call the slots;
 /// Space, H, O, Esc, Enter and the Weather overlay's keys are read here.
@@ -116,42 +112,30 @@ protected:
 
 private:
     void connectParts();
-    void makePresenter(PresenterChoice choice);
-    void onPresenterFailed(const QString& reason);
     void onDocumentChanged(const model::Change& change);
     void refreshHead();
     void refreshEnvironment();
     void refreshRings();
-    void refreshOverlay();
     void follow(const Sight& sight);
-    [[nodiscard]] Sight shown() const;
     void refreshSigns();
     void animateTo(const std::optional<rendering::Camera>& camera);
-    void draw();
-    void placeChildren();
+    void layOut();
 
     void pointerPressed(const PointerSample& sample) override;
     void pointerMoved(const PointerSample& sample) override;
     void pointerReleased(const PointerSample& sample) override;
 
     EditorState& m_state;
-    HeadOverlay* m_overlay; ///< Children.
-    WeatherOverlay* m_weather;
-    ViewSigns* m_signs;
-    FramePresenter* m_presenter = nullptr; ///< A child.
-    HeadTurn* m_turn;                      ///< A child.
+    HeadTurn* m_turn; ///< A child.
 
     std::unique_ptr<HeadScene> m_scene;
     std::unique_ptr<HeadPointer> m_pointer;
-    std::unique_ptr<FramePacer> m_pacer;
-    std::unique_ptr<ShownDirections> m_directions;
-    std::optional<Sight> m_shown; ///< By the picture on the screen; none before the first.
-    Stillness m_stillness;
+    std::unique_ptr<HeadCover> m_cover;
+    std::unique_ptr<HeadFrames> m_frames;
     CameraFlight m_flight;
     std::uint64_t m_firstRevision = 0; ///< Of the project that is open.
     bool m_ownHairAwaited = false;     ///< The opened project's hair has not been on the screen yet.
     bool m_paused = false;
-    bool m_refining = false;
 };
 
 } // namespace hairpaint::view

@@ -1,13 +1,11 @@
-// The paint area: its view of the map, its following of the document, its pointer and keys.
+// The paint area: its view of the map, and its following of the document.
 #include "view/paint_area/paint_view.h"
 
-#include "view/editing/brush_drag.h"
 #include "view/editing/editor_state.h"
-#include "view/editing/held_keys.h"
-#include "view/editing/pointer.h"
 #include "view/paint_area/map_legend.h"
 #include "view/paint_area/paint_canvas.h"
 #include "view/paint_area/paint_overlay.h"
+#include "view/paint_area/paint_pointer.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>
@@ -18,7 +16,6 @@
 #include <QWheelEvent>
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace hairpaint::view {
@@ -47,51 +44,18 @@ QPolygonF outlineOf(const model::Change& change, const model::Document& document
     return outline;
 }
 
-/// How large a pixel is on the skin there.
-float pixelAt(const sim::SurfacePoint& point, const UvTransform& transform)
-{
-    return 0.5F * (glm::length(point.dPduHd) + glm::length(point.dPdvHd)) / static_cast<float>(transform.pxPerPaper);
-}
-
-model::ToolEvent toolEvent(const PointerSample& sample, const UvTransform& transform, const model::Project& project)
-{
-    const glm::vec2 uv = transform.toUv(sample.position);
-    model::ToolEvent event{.area = model::Area::Paint,
-                           .uv = uv,
-                           .point = std::nullopt,
-                           .pressure = sample.pressure,
-                           .seconds = sample.seconds,
-                           .modifiers = sample.modifiers,
-                           .again = sample.again};
-    if (project.head && project.head->skin)
-        event.point = project.head->skin->atUv(uv);
-    if (event.point)
-        event.pixelM = pixelAt(*event.point, transform);
-    return event;
-}
-
 } // namespace
 
 /// What the area remembers between events.
 struct PaintView::State
 {
-    enum class Drag
-    {
-        None,
-        Stroke,
-        Pan,
-        Rotate,
-        Brush
-    };
-
     State(EditorState& editorState, const Theme& startTheme, StartBackdrop start, QWidget* area)
-        : editor(editorState), theme(startTheme), keys({Qt::Key_Space, Qt::Key_O}, area),
-          startBackdrop(std::move(start)), overlay(editorState, transform, *area)
+        : editor(editorState), theme(startTheme), startBackdrop(std::move(start)),
+          overlay(editorState, transform, *area), pointer(editorState, transform, overlay, *area)
     {}
 
     EditorState& editor;
     Theme theme;
-    HeldKeys keys;
     StartBackdrop startBackdrop;
     std::shared_ptr<const model::Head> head; ///< Whose backdrop is shown or made.
     PaintCanvas canvas;
@@ -99,13 +63,9 @@ struct PaintView::State
     UvTransform transform;
     bool fitted = true; ///< Nobody has moved the view: resizing fits it again.
 
-    Drag drag = Drag::None;
-    PointerSample pressed;
-    QPointF last;
-    BrushDrag brushDrag{editor};
-
     QPolygonF changedOutline; ///< In uv: what the last change of texels touched; empty after other changes.
     PaintOverlay overlay;
+    PaintPointer pointer;
     QTimer refining; ///< Runs while the map's picture is of samples.
 };
 
@@ -134,10 +94,12 @@ PaintView::PaintView(EditorState& state, const Theme& theme, StartBackdrop start
     connect(&state.tools(), &ToolBox::settingsChanged, this, &PaintView::refreshRings);
     connect(&state.hover(), &Hover::changed, this, &PaintView::refreshRings);
     connect(&state.tools(), &ToolBox::overlayChanged, this, [this] { m_state->overlay.refreshOutlines(); });
-    connect(&m_state->keys, &HeldKeys::changed, this, &PaintView::updateCursor);
+    connect(&m_state->pointer, &PaintPointer::panWanted, this, &PaintView::panBy);
+    connect(&m_state->pointer, &PaintPointer::rotateWanted, this, &PaintView::rotateBy);
+    connect(&m_state->pointer, &PaintPointer::statusText, this, &PaintView::statusText);
     refreshHead();
     refreshMap();
-    updateCursor();
+    m_state->pointer.updateCursor();
 }
 
 PaintView::~PaintView() = default;
@@ -307,7 +269,7 @@ void PaintView::refreshLegend()
 void PaintView::refreshRings()
 {
     m_state->overlay.refreshRings();
-    updateCursor();
+    m_state->pointer.updateCursor();
 }
 
 void PaintView::lookChanged()
@@ -349,101 +311,23 @@ void PaintView::resizeEvent(QResizeEvent* event)
 
 void PaintView::pointerPressed(const PointerSample& sample)
 {
-    State& state = *m_state;
-    if (state.drag != State::Drag::None)
-        return;
-    state.pressed = sample;
-    state.last = sample.position;
-    const bool left = sample.button == Qt::LeftButton;
-    if (sample.button == Qt::MiddleButton || (left && state.keys.holds(Qt::Key_Space))) {
-        state.drag = sample.modifiers.testFlag(Qt::ShiftModifier) ? State::Drag::Rotate : State::Drag::Pan;
-    } else if (state.brushDrag.press(sample, state.keys)) {
-        state.drag = State::Drag::Brush;
-    } else if (left) {
-        hoverAt(sample);
-        state.drag = State::Drag::Stroke;
-        state.editor.tools().press(toolEvent(sample, state.transform, state.editor.document().project()));
-    }
-    updateCursor();
+    m_state->pointer.press(sample);
 }
 
 void PaintView::pointerMoved(const PointerSample& sample)
 {
-    State& state = *m_state;
-    switch (state.drag) {
-    case State::Drag::None:
-        hoverAt(sample);
-        break;
-    case State::Drag::Stroke:
-        hoverAt(sample);
-        state.editor.tools().move(toolEvent(sample, state.transform, state.editor.document().project()));
-        break;
-    case State::Drag::Pan:
-        panBy(sample.position - state.last);
-        break;
-    case State::Drag::Rotate: {
-        const QPointF middle = QRectF(rect()).center();
-        const QPointF from = state.last - middle;
-        const QPointF to = sample.position - middle;
-        const double turned = std::atan2(from.x() * to.y() - from.y() * to.x(), QPointF::dotProduct(from, to));
-        rotateBy(turned * 180.0 / std::numbers::pi);
-        break;
-    }
-    case State::Drag::Brush:
-        state.brushDrag.move(sample);
-        Q_EMIT statusText(brushText(state.editor.tools().settings()));
-        break;
-    }
-    state.last = sample.position;
+    m_state->pointer.move(sample);
 }
 
 void PaintView::pointerReleased(const PointerSample& sample)
 {
-    State& state = *m_state;
-    if (state.drag == State::Drag::None || sample.button != state.pressed.button)
-        return;
-    const State::Drag drag = std::exchange(state.drag, State::Drag::None);
-    if (drag == State::Drag::Stroke)
-        state.editor.tools().release(toolEvent(sample, state.transform, state.editor.document().project()));
-    hoverAt(sample);
-    updateCursor();
-}
-
-void PaintView::hoverAt(const PointerSample& sample)
-{
-    const glm::vec2 uv = uvAt(sample.position);
-    HoverPoint hover{.area = model::Area::Paint, .uv = uv, .point = std::nullopt};
-    const std::shared_ptr<const model::Head>& head = m_state->editor.document().project().head;
-    if (head && head->skin)
-        hover.point = head->skin->atUv(uv);
-    if (hover.point)
-        hover.pixelM = pixelAt(*hover.point, m_state->transform);
-    m_state->editor.hover().set(hover);
-}
-
-void PaintView::updateCursor()
-{
-    const State& state = *m_state;
-    Qt::CursorShape shape = Qt::CrossCursor;
-    if (state.drag == State::Drag::Pan)
-        shape = Qt::ClosedHandCursor;
-    else if (state.drag == State::Drag::Rotate)
-        shape = Qt::SizeAllCursor;
-    else if (state.keys.holds(Qt::Key_Space))
-        shape = Qt::OpenHandCursor;
-    else if (state.overlay.hasRing() && state.editor.hover().at() &&
-             state.editor.hover().at()->area == model::Area::Paint)
-        shape = Qt::BlankCursor; // The ring is the cursor.
-    if (cursor().shape() != shape)
-        setCursor(shape);
+    m_state->pointer.release(sample);
 }
 
 void PaintView::leaveEvent(QEvent* event)
 {
     QWidget::leaveEvent(event);
-    const std::optional<HoverPoint>& hover = m_state->editor.hover().at();
-    if (m_state->drag == State::Drag::None && hover && hover->area == model::Area::Paint)
-        m_state->editor.hover().set(std::nullopt);
+    m_state->pointer.leave();
 }
 
 void PaintView::wheelEvent(QWheelEvent* event)
@@ -474,20 +358,15 @@ bool PaintView::event(QEvent* event)
 
 void PaintView::keyPressEvent(QKeyEvent* event)
 {
-    EditorState& editor = m_state->editor;
-    if (editor.tools().key(static_cast<Qt::Key>(event->key()), event->modifiers())) {
-        if (m_state->drag == State::Drag::Stroke && !editor.tools().stroking())
-            m_state->drag = State::Drag::None;
-    } else {
+    if (!m_state->pointer.handleKey(static_cast<Qt::Key>(event->key()), event->modifiers()))
         QWidget::keyPressEvent(event);
-    }
 }
 
 void PaintView::contextMenuEvent(QContextMenuEvent* event)
 {
     // Ctrl+right-drag sizes the brush.
     const bool sizing = event->reason() == QContextMenuEvent::Mouse &&
-                        (m_state->drag != State::Drag::None || event->modifiers().testFlag(Qt::ControlModifier));
+                        (m_state->pointer.dragging() || event->modifiers().testFlag(Qt::ControlModifier));
     if (!sizing)
         Q_EMIT contextMenuWanted(event->globalPos());
     event->accept();

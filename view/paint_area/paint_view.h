@@ -65,8 +65,6 @@ private:
     void pointerPressed(const PointerSample& sample) override;
     void pointerMoved(const PointerSample& sample) override;
     void pointerReleased(const PointerSample& sample) override;
-    void hoverAt(const PointerSample& sample);
-    void updateCursor();
 
     void onDocumentChanged(const model::Change& change);
     void showChangedOutline(); ///< For a moment, as undo and redo do.

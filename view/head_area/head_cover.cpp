@@ -1,0 +1,87 @@
+// Overlays filled from the editor, and laid out.
+#include "view/head_area/head_cover.h"
+
+#include "view/editing/editor_state.h"
+#include "view/head_area/head_overlay.h"
+#include "view/head_area/head_scene.h"
+#include "view/head_area/view_signs.h"
+#include "view/head_area/weather_overlay.h"
+#include "view/head_area/worn_drag.h"
+
+#include <utility>
+
+namespace hairpaint::view {
+
+HeadCover::HeadCover(EditorState& editor, const HeadScene& scene, const Theme& theme, QWidget& area)
+    : m_editor(editor), m_scene(scene), m_area(area), m_overlay(new HeadOverlay(theme, &area)),
+      m_weather(new WeatherOverlay(theme, &area)), m_signs(new ViewSigns(&area)),
+      m_directions(editor, *m_overlay, [this] { return shown(); })
+{
+    m_weather->hide();
+}
+
+void HeadCover::setTheme(const Theme& theme)
+{
+    m_overlay->setTheme(theme);
+    m_weather->setTheme(theme);
+}
+
+/// What lies over the picture moves with it, not with the camera or the hair, which may be pictures ahead.
+void HeadCover::follow(const Sight& sight)
+{
+    if (std::exchange(m_shown, sight) == sight)
+        return;
+    refresh();
+    m_directions.refresh();
+}
+
+Sight HeadCover::shown() const
+{
+    return m_shown.value_or(Sight{.camera = m_scene.camera(), .pose = m_scene.shownPose()});
+}
+
+void HeadCover::refresh()
+{
+    const Sight sight = shown();
+    m_overlay->setShapes(m_editor.tools().overlay(), m_scene.skin(), sight.camera, sight.pose);
+    m_overlay->setWorn(outlinedWorn(m_editor), m_editor.options().chosenWorn(), sight.camera, sight.pose);
+    refreshRing();
+    m_directions.refreshSoon();
+}
+
+void HeadCover::refreshWorn()
+{
+    if (m_editor.options().collidersShown() || m_editor.options().chosenWorn() != 0 ||
+        !m_overlay->wornOutlines().empty())
+        refresh();
+}
+
+void HeadCover::refreshRing()
+{
+    m_overlay->setGhost(m_scene.hiddenRing());
+}
+
+void HeadCover::showSigns(bool paused, bool refining, std::size_t triangles)
+{
+    m_signs->show(paused, refining, triangles);
+    layOut();
+}
+
+void HeadCover::setLookedAt(std::optional<model::MapKind> map)
+{
+    m_directions.setLookedAt(map);
+}
+
+void HeadCover::layOut()
+{
+    constexpr int kMargin = 12;
+    const QSize size = m_area.size();
+    m_overlay->setGeometry(QRect(QPoint(), size));
+    const QSize panel = m_weather->sizeHint().boundedTo(size - QSize(2 * kMargin, 2 * kMargin));
+    m_weather->setGeometry(QRect(QPoint(kMargin, size.height() - kMargin - panel.height()), panel));
+    m_weather->raise();
+    m_signs->move(size.width() - kMargin - m_signs->width(), kMargin);
+    m_signs->raise();
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,53 @@
+// What lies over the pictures of the 3D area, and where in it all of that stands.
+#pragma once
+
+#include "view/head_area/shot.h"
+#include "view/head_area/shown_directions.h"
+#include "view/look/theme.h"
+
+#include <optional>
+
+class QWidget;
+
+namespace hairpaint::view {
+
+class EditorState;
+class HeadOverlay;
+class HeadScene;
+class ViewSigns;
+class WeatherOverlay;
+
+/// Outlines, directions and signs follow the picture that is on the screen. GUI thread.
+class HeadCover
+{
+public:
+    /// Its widgets are children of `area`. All outlive it.
+    HeadCover(EditorState& editor, const HeadScene& scene, const Theme& theme, QWidget& area);
+
+    void setTheme(const Theme& theme);
+    [[nodiscard]] WeatherOverlay& weather() { return *m_weather; }
+    [[nodiscard]] const WeatherOverlay& weather() const { return *m_weather; }
+
+    /// The picture on the screen is this one now.
+    void follow(const Sight& sight);
+    void refresh();     ///< Outlines of the tool and of what is worn.
+    void refreshWorn(); ///< The same where any of what is worn is shown.
+    void refreshRing(); ///< The brush's, where the head hides it.
+    void showSigns(bool paused, bool refining, std::size_t triangles);
+    void setLookedAt(std::optional<model::MapKind> map);
+    void layOut(); ///< Once the area's size or that of a part has changed.
+
+private:
+    [[nodiscard]] Sight shown() const;
+
+    EditorState& m_editor;
+    const HeadScene& m_scene;
+    QWidget& m_area;
+    HeadOverlay* m_overlay; ///< Children of the area, as the next two.
+    WeatherOverlay* m_weather;
+    ViewSigns* m_signs;
+    ShownDirections m_directions;
+    std::optional<Sight> m_shown; ///< None before the first picture.
+};
+
+} // namespace hairpaint::view
