@@ -1713,6 +1713,30 @@
         <source>How softly it begins: at 0 % in a line, at 100 % all the way to the tip</source>
         <translation>Con qué suavidad empieza: con 0 % en una línea, con 100 % hasta la punta</translation>
     </message>
+    <message>
+        <source>Soft hairline</source>
+        <translation>Nacimiento suave</translation>
+    </message>
+    <message>
+        <source>Width over which hair grows thinner, shorter and finer towards bare skin</source>
+        <translation>Anchura en la que el pelo se hace más ralo, más corto y más fino hacia la piel desnuda</translation>
+    </message>
+    <message>
+        <source>Baby hairs</source>
+        <translation>Pelusa</translation>
+    </message>
+    <message>
+        <source>How many hairs of a soft hairline are short, fine and curl a little</source>
+        <translation>Cuántos pelos de un nacimiento suave son cortos, finos y algo rizados</translation>
+    </message>
+    <message>
+        <source>Flat fibres</source>
+        <translation>Fibras planas</translation>
+    </message>
+    <message>
+        <source>Longest over shortest diameter of a hair: round is 1, coily hair nearly 2</source>
+        <translation>Diámetro mayor de un pelo entre el menor: redondo es 1; el pelo muy rizado, casi 2</translation>
+    </message>
 </context>
 <context>
     <name>Guarded</name>

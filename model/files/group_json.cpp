@@ -75,6 +75,7 @@ void visitSettings(Fields& fields, Settings& settings)
     fields.object("curl", [&](Fields& inner) { visitPart(inner, QLatin1StringView("curl."), settings); });
     fields.object("locks", [&](Fields& inner) { visitPart(inner, QLatin1StringView("locks."), settings); });
     fields.object("variation", [&](Fields& inner) { visitPart(inner, QLatin1StringView("variation."), settings); });
+    fields.object("hairline", [&](Fields& inner) { visitPart(inner, QLatin1StringView("hairline."), settings); });
     fields.object("physics", [&](Fields& inner) { visitPart(inner, QLatin1StringView("physics."), settings); });
     fields.object("material", [&](Fields& inner) { visitPart(inner, QLatin1StringView("material."), settings); });
 }

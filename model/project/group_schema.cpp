@@ -13,6 +13,7 @@ namespace {
 
 using sim::CurlSettings;
 using sim::GroupSettings;
+using sim::HairlineSettings;
 using sim::LockSettings;
 using sim::PhysicsSettings;
 using sim::StrandMaterial;
@@ -156,6 +157,12 @@ constexpr GroupSetting kSettings[] = {
     {"variation.parting_m", &VariationSettings::parting, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Loose parting"),
      QT_TRANSLATE_NOOP("GroupSchema", "How far from a parting hairs still cross it"),
      QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.01, 0.0, 10.0, 1},
+    {"hairline.soften_m", &HairlineSettings::softenM, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Soft hairline"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Width over which hair grows thinner, shorter and finer towards bare skin"),
+     QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.03, 0.0, 20.0, 1},
+    {"hairline.baby", &HairlineSettings::baby, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Baby hairs"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How many hairs of a soft hairline are short, fine and curl a little"), "%",
+     100.0, 0.0, 1.0, 0.0, 100.0},
     {"greatest_frizz_m", &GroupSettings::greatestFrizzM, kShape, QT_TRANSLATE_NOOP("GroupSchema", "Greatest frizz"),
      QT_TRANSLATE_NOOP("GroupSchema", "How far hair strays from its course where the frizz map is brightest"),
      QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.05, 0.0, 20.0, 1, 2.0F},
@@ -209,6 +216,9 @@ constexpr GroupSetting kSettings[] = {
     {"material.tip_over", &StrandMaterial::tipOver, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Tip colour over"),
      QT_TRANSLATE_NOOP("GroupSchema", "How softly it begins: at 0 % in a line, at 100 % all the way to the tip"), "%",
      100.0, 0.0, 1.0, 0.0, 100.0},
+    {"material.section_axes", &StrandMaterial::sectionAxes, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Flat fibres"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Longest over shortest diameter of a hair: round is 1, coily hair nearly 2"), "",
+     1.0, 1.0, 3.0, 1.0, 3.0, 1},
     {"material.root_alpha", &StrandMaterial::rootAlpha, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Opacity at the root"),
      QT_TRANSLATE_NOOP("GroupSchema", "Less lets the skin show through"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
 };
@@ -233,6 +243,11 @@ template<typename Settings>
 auto& memberOf(Settings& settings, float VariationSettings::*member)
 {
     return settings.variation.*member;
+}
+template<typename Settings>
+auto& memberOf(Settings& settings, float HairlineSettings::*member)
+{
+    return settings.hairline.*member;
 }
 template<typename Settings>
 auto& memberOf(Settings& settings, float PhysicsSettings::*member)
@@ -280,9 +295,11 @@ void makeNatural(GroupSettings& settings)
 {
     settings.variation = {
         .length = 0.08F, .curl = 0.12F, .width = 0.2F, .crossing = 0.08F, .flyaways = 0.012F, .parting = 0.004F};
+    settings.hairline = {.softenM = 0.008F, .baby = 0.35F};
     settings.physics.volumeRiseM = 0.05F;
     settings.physics.body = 0.5F;
     settings.material.scalpTint = 0.8F;
+    settings.material.sectionAxes = 1.3F;
     settings.material.taperM = 0.012F; // Cut hair ends: it thins out over its last centimetre alone.
 }
 

@@ -29,19 +29,20 @@ constexpr CurlSettings curl(float diameterMm, float pitchPerDiameter, float flat
 
 /// Locks about as far apart as their coils are wide, so that each is seen.
 constexpr std::array kTypes{
-    HairType{"1A", {.diameterM = 0.0F, .pitchM = 1.0F, .skips = 0.01F}, 0.0F},
-    HairType{"1B", {.diameterM = 0.006F, .pitchM = 0.3F, .flatness = 1.0F, .skips = 0.01F, .gather = 0.05F}, 0.0F},
+    HairType{"1A", {.diameterM = 0.0F, .pitchM = 1.0F, .skips = 0.01F}, 0.0F, 1.2F},
+    HairType{
+        "1B", {.diameterM = 0.006F, .pitchM = 0.3F, .flatness = 1.0F, .skips = 0.01F, .gather = 0.05F}, 0.0F, 1.3F},
     // An S whose bends have a diameter of 200 mm.
-    HairType{"1C", {.diameterM = 0.02F, .pitchM = 0.2F, .flatness = 1.0F, .skips = 0.01F, .gather = 0.1F}, 0.02F},
-    HairType{"2A", curl(60.0F, 6.0F, 1.0F, 1.0F, 0.0F, 0.03F, 0.1F, 0.3F), 0.025F},
-    HairType{"2B", curl(45.0F, 5.0F, 1.0F, 1.0F, 0.0F, 0.03F, 0.1F, 0.45F), 0.022F},
-    HairType{"2C", curl(30.0F, 4.0F, 0.9F, 1.0F, 0.0F, 0.03F, 0.1F, 0.6F), 0.018F},
-    HairType{"3A", curl(25.0F, 3.0F, 0.0F, 1.0F, 0.3F, 0.05F, 0.15F, 0.8F), 0.02F},
-    HairType{"3B", curl(15.0F, 2.6F, 0.0F, 1.5F, 0.5F, 0.06F, 0.15F, 0.85F), 0.014F},
-    HairType{"3C", curl(9.0F, 2.0F, 0.0F, 2.0F, 1.0F, 0.08F, 0.1F, 0.8F), 0.009F},
-    HairType{"4A", curl(6.0F, 1.5F, 0.0F, 2.0F, 2.0F, 0.10F, 0.05F, 0.7F), 0.006F},
-    HairType{"4B", curl(4.0F, 1.1F, 0.6F, 3.0F, 4.0F, 0.15F, 0.0F, 0.5F), 0.005F},
-    HairType{"4C", curl(2.5F, 0.8F, 0.0F, kNever * 100.0F, 6.0F, 0.25F, 0.0F, 0.3F), 0.005F},
+    HairType{"1C", {.diameterM = 0.02F, .pitchM = 0.2F, .flatness = 1.0F, .skips = 0.01F, .gather = 0.1F}, 0.02F, 1.4F},
+    HairType{"2A", curl(60.0F, 6.0F, 1.0F, 1.0F, 0.0F, 0.03F, 0.1F, 0.3F), 0.025F, 1.3F},
+    HairType{"2B", curl(45.0F, 5.0F, 1.0F, 1.0F, 0.0F, 0.03F, 0.1F, 0.45F), 0.022F, 1.3F},
+    HairType{"2C", curl(30.0F, 4.0F, 0.9F, 1.0F, 0.0F, 0.03F, 0.1F, 0.6F), 0.018F, 1.3F},
+    HairType{"3A", curl(25.0F, 3.0F, 0.0F, 1.0F, 0.3F, 0.05F, 0.15F, 0.8F), 0.02F, 1.6F},
+    HairType{"3B", curl(15.0F, 2.6F, 0.0F, 1.5F, 0.5F, 0.06F, 0.15F, 0.85F), 0.014F, 1.6F},
+    HairType{"3C", curl(9.0F, 2.0F, 0.0F, 2.0F, 1.0F, 0.08F, 0.1F, 0.8F), 0.009F, 1.6F},
+    HairType{"4A", curl(6.0F, 1.5F, 0.0F, 2.0F, 2.0F, 0.10F, 0.05F, 0.7F), 0.006F, 1.9F},
+    HairType{"4B", curl(4.0F, 1.1F, 0.6F, 3.0F, 4.0F, 0.15F, 0.0F, 0.5F), 0.005F, 1.9F},
+    HairType{"4C", curl(2.5F, 0.8F, 0.0F, kNever * 100.0F, 6.0F, 0.25F, 0.0F, 0.3F), 0.005F, 1.9F},
 };
 
 } // namespace
@@ -73,6 +74,7 @@ void setHairType(sim::GroupSettings& settings, const HairType& type)
     settings.turnsMode = sim::TurnsMode::Coils;
     settings.curl = type.curl;
     settings.locks.sizeM = type.lockSizeM;
+    settings.material.sectionAxes = type.sectionAxes;
 }
 
 } // namespace hairpaint::model

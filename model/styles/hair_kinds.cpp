@@ -40,6 +40,7 @@ constexpr std::array kKinds{
                  settings.physics.body = 0.0F; // It stands alone.
                  putShort(settings, {0.012F, 1.8e6F, 70e-6F, 0.001F, 0.045F});
                  settings.material.taperM = 0.0F; // Never cut.
+                 settings.hairline = {};          // All of it is edge.
              },
              true},
     HairKind{"Lashes", QT_TRANSLATE_NOOP("HairKinds", "Lashes"),
@@ -47,12 +48,14 @@ constexpr std::array kKinds{
                  settings.physics.body = 0.0F;
                  putShort(settings, {0.010F, 1.0e6F, 100e-6F, 0.0005F, 0.06F});
                  settings.material.taperM = 0.0F;
+                 settings.hairline = {};
                  settings.material.tipAlpha = 0.8F;
              },
              true},
     HairKind{"Beard", QT_TRANSLATE_NOOP("HairKinds", "Beard"),
              [](GroupSettings& settings) {
                  putShort(settings, {0.08F, 0.8e6F, 110e-6F, 0.004F, 0.06F});
+                 settings.hairline.baby = 0.0F;
              }},
     HairKind{"", QT_TRANSLATE_NOOP("HairKinds", "Something else"),
              [](GroupSettings& settings) {

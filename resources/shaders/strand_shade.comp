@@ -22,6 +22,7 @@ uniform float taperM;        // Over which a hair thins out to its tip; 0: over 
 uniform vec2 tipMix;         // Scale and offset: the tip colour's part by the fraction of the length.
 uniform float groupWidthM;   // Diameter of a hair whose width is 1.
 uniform float variationScale;
+uniform float sectionAxes;    // Of a fibre's section, 1 where it is round.
 
 // As the software renderer has them.
 const float kDeepFrom = 0.3; // Coverings.
@@ -30,6 +31,14 @@ const float kGreatestWidth = 24.0; // Samples: wider strands would look like str
 const float kMostSlant = 1.42;
 const float kFadingPart = 0.15;
 const float kNearestDrawnM = 0.01;
+
+// The arithmetic that the formula is written in.
+#define Num float
+#define CURVE_FUNCTION
+#define root sqrt
+#define cosOf cos
+#include "sim/groom/fibre_formula.inl"
+#undef root
 
 vec3 colourFromBytes(uint bits)
 {
@@ -90,6 +99,15 @@ void main()
     float widthM = styles[slot].width * groupWidthM * kept / min(drawn * (1.0 + 0.5 * kFadingPart), 1.0);
     float thinning = max(s * perTaper + (1.0 - perTaper), 0.0);
     float width = widthM * gridSize.z / max(clip.w, kNearestDrawnM) * mix(material.z, material.w, thinning * thinning);
+    float glint = 1.0;
+    float lean = 0.0;
+    if (sectionAxes > 1.0) {
+        Section section = sectionAt(sectionAxes, styles[slot].turns, styles[slot].lengthM, styles[slot].phase,
+                                    styles[slot].variation, s);
+        width *= section.width;
+        glint = section.glint;
+        lean = section.lean;
+    }
     width = min(width, kGreatestWidth) * min(slant, kMostSlant);
     float before = inEveryColumn ? inColumnWithLeast(seen) : towardEye;
     width = clip.w > kNearestDrawnM && before < undrawnCoverings ? width : 0.0;
@@ -101,8 +119,8 @@ void main()
     vec3 tipColour = colourFromBytes(styles[slot].tipColour) * lightness;
     float tip = clamp(s * tipMix.x + tipMix.y, 0.0, 1.0);
     HairPoint point = HairPoint(position, tangent, mix(lightShownAs(rootColour), lightShownAs(tipColour), tip),
-                                mix(fibreDepth(rootColour), fibreDepth(tipColour), tip), turnedBy(variation), towardKey,
-                                towardEye, max(column - towardEye, 0.0), styles[slot].shine, styles[slot].sharpness);
+                                mix(fibreDepth(rootColour), fibreDepth(tipColour), tip), turnedBy(variation) + lean, towardKey,
+                                towardEye, max(column - towardEye, 0.0), styles[slot].shine * glint, styles[slot].sharpness);
     vec3 lit = hairLight(point, material.x, material.y);
 
     uint depth = uint(clamp(depthOf(clip.w), 0.0, 65535.0));

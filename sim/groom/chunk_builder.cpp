@@ -35,12 +35,12 @@ public:
         const RootSet& roots = m_inputs.roots;
         const RootChance chance = chanceOf(roots.seed, roots.rankOfSlot[slot]);
         const RootValues values = valuesAt(m_inputs.maps, roots.uv[slot]);
-        const HairVariation own = variationOf(m_inputs.settings.variation, roots.seed, roots.rankOfSlot[slot]);
+        const HairVariation own = ownOf(slot);
         StrandStyle style = styleOf(m_inputs.settings, values, chance, own, roots.threshold(slot) / density);
         const bool isDrawn = style.lengthM >= kShortestDrawnM;
         if (!isDrawn)
             style.detail = StrandStyle{}.detail;
-        if (isDrawn && m_inputs.kinds[slot] != 0) {
+        if (isDrawn && m_inputs.kinds[slot] != 0 && own.babyM == 0.0F) {
             const std::uint32_t centre = m_inputs.braids.centreOf(roots, slot, m_inputs.kinds[slot]);
             if (centre != kNoCentre)
                 return braid(slot, style, chance, centre);
@@ -103,8 +103,7 @@ public:
     void look(std::uint32_t slot)
     {
         const RootSet& roots = m_inputs.roots;
-        setLook(m_inputs.settings, lookAt(m_inputs.maps, roots.uv[slot]),
-                variationOf(m_inputs.settings.variation, roots.seed, roots.rankOfSlot[slot]),
+        setLook(m_inputs.settings, lookAt(m_inputs.maps, roots.uv[slot]), ownOf(slot),
                 m_chunk.styles[slot - m_firstSlot]);
     }
 
@@ -136,6 +135,16 @@ private:
         std::uint32_t centre = kNoCentre;
         std::uint32_t leader = 0;
     };
+
+    [[nodiscard]] HairVariation ownOf(std::uint32_t slot) const
+    {
+        const RootSet& roots = m_inputs.roots;
+        HairVariation own = variationOf(m_inputs.settings.variation, roots.seed, roots.rankOfSlot[slot]);
+        if (!m_inputs.hairline.isOff())
+            thinAtDepth(m_inputs.settings.hairline.baby, m_inputs.hairline.depth(slot), roots.seed,
+                        roots.rankOfSlot[slot], own);
+        return own;
+    }
 
     void braid(std::uint32_t slot, StrandStyle style, const RootChance& chance, std::uint32_t centre)
     {
@@ -291,7 +300,9 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
     });
     dirty.hairs.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
         const std::size_t local = slot - firstSlot;
-        densities[local] = inputs.maps[MapSlot::Density].scalar(roots.uv[slot]);
+        densities[local] = inputs.hairline.isOff()
+                               ? inputs.maps[MapSlot::Density].scalar(roots.uv[slot])
+                               : inputs.hairline.density(slot) * densityAtDepth(inputs.hairline.depth(slot));
         const bool isHair = roots.threshold(slot) < densities[local];
         if (isHair || hairs[local]) {
             rebuilt.insert(slot);

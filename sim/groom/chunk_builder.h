@@ -3,6 +3,7 @@
 
 #include "sim/groom/braid_layout.h"
 #include "sim/groom/groom.h"
+#include "sim/groom/hairline.h"
 #include "sim/groom/lay.h"
 #include "sim/groom/lock_partition.h"
 #include "sim/groom/map_changes.h"
@@ -27,6 +28,7 @@ struct ChunkInputs
     std::span<const std::uint8_t> kinds; ///< [slots]
     std::span<const float> basisLengthM; ///< [basis hairs]
     const LockPartition& locks;
+    const Hairline& hairline;
 };
 
 /// The chunk with the hairs of `dirty` evaluated anew and those of its look coloured anew: `before` itself where none

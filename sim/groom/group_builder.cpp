@@ -91,6 +91,7 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
 
     if (allDiffer || !dirty.empty()) {
         const MapSamplers maps(input.maps);
+        m_hairline.update(maps[MapSlot::Density], dirty.hairs);
         readKinds(maps, dirty.hairs);
         const std::optional<MapSampler> natural = samplerOf(head.natural);
         const LayInputs lay{maps[MapSlot::Direction], natural ? &*natural : nullptr, head.band ? &*m_layField : nullptr,
@@ -141,6 +142,7 @@ void GroupBuilder::startOver(const GroomInput::Group& input, const std::shared_p
         m_locks = LockPartition(*roots, lockSizeM);
         m_lockSizeM = lockSizeM;
     }
+    m_hairline.startOver(roots, input.settings.hairline.softenM);
     if (roots != m_roots) {
         m_roots = roots;
         // Counted, summed up, filled in.
@@ -343,8 +345,8 @@ void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSampler
     for (std::size_t chunk = 0; chunk < dirty.hairs.chunkCount(); ++chunk)
         if (!dirty.hairs.chunkEmpty(chunk) || !dirty.look.chunkEmpty(chunk))
             stale.push_back(chunk);
-    const ChunkInputs inputs{settings, *m_roots, maps,           lay,    m_newBasis ? *m_newBasis : *m_basis,
-                             m_braids, m_kinds,  m_basisLengthM, m_locks};
+    const ChunkInputs inputs{settings, *m_roots, maps,           lay,     m_newBasis ? *m_newBasis : *m_basis,
+                             m_braids, m_kinds,  m_basisLengthM, m_locks, m_hairline};
     const std::vector<std::shared_ptr<const StrandChunk>> before = groom.chunks;
     parallelFor(stale.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)

@@ -3,6 +3,7 @@
 
 #include "sim/groom/braid_layout.h"
 #include "sim/groom/groom.h"
+#include "sim/groom/hairline.h"
 #include "sim/groom/lay.h"
 #include "sim/groom/lock_partition.h"
 #include "sim/groom/map_changes.h"
@@ -79,6 +80,7 @@ private:
     std::vector<std::uint8_t> m_kindOfBasis;      ///< [basis hairs]: what m_braids was made from.
     BraidLayout m_braids;
     LockPartition m_locks;
+    Hairline m_hairline;
     float m_lockSizeM = 0.0F; ///< That m_locks was made for, of m_roots.
 };
 

@@ -50,6 +50,8 @@ constexpr SettingEffect kSettingEffects[] = {
     {&VariationSettings::flyaways, Affects::Hairs},
     {&VariationSettings::grey, Affects::Hairs},
     {&VariationSettings::parting, Affects::Hairs},
+    {&HairlineSettings::softenM, Affects::Hairs},
+    {&HairlineSettings::baby, Affects::Hairs},
     // Hair is laid in the coat, and kept out of the ellipsoids by its height in it.
     {&PhysicsSettings::volumeM, Affects::Hairs | Affects::Motion},
     {&PhysicsSettings::volumeRiseM, Affects::Hairs},
@@ -69,6 +71,7 @@ constexpr SettingEffect kSettingEffects[] = {
     {&StrandMaterial::taperM, Affects::Look},
     {&StrandMaterial::tipFrom, Affects::Look},
     {&StrandMaterial::tipOver, Affects::Look},
+    {&StrandMaterial::sectionAxes, Affects::Look},
 };
 
 /// The part of the settings that a member belongs to.
@@ -88,6 +91,10 @@ const LockSettings& partOf(const GroupSettings& settings, float LockSettings::* 
 const VariationSettings& partOf(const GroupSettings& settings, float VariationSettings::* /*member*/)
 {
     return settings.variation;
+}
+const HairlineSettings& partOf(const GroupSettings& settings, float HairlineSettings::* /*member*/)
+{
+    return settings.hairline;
 }
 const PhysicsSettings& partOf(const GroupSettings& settings, float PhysicsSettings::* /*member*/)
 {

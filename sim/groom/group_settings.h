@@ -41,9 +41,10 @@ struct StrandMaterial
     float tipAlpha = 0.35F;        ///< 0..1: strands thin out to the tip.
     float colourVariation = 0.12F; ///< 0..1: difference in lightness between neighbouring hairs.
     float scalpTint = 0.0F;        ///< 0..1: how much its roots, where they are dense, colour the skin.
-    float taperM = 0.0F;  ///< m, 0..0.5: last length over which a hair thins out to its tip; 0: over all of it.
-    float tipFrom = 0.0F; ///< 0..1 of the length: up to there a hair has its root's colour;
-    float tipOver = 1.0F; ///< 0..1 of the rest: over that much it passes to its tip's.
+    float taperM = 0.0F;      ///< m, 0..0.5: last length over which a hair thins out to its tip; 0: over all of it.
+    float tipFrom = 0.0F;     ///< 0..1 of the length: up to there a hair has its root's colour;
+    float tipOver = 1.0F;     ///< 0..1 of the rest: over that much it passes to its tip's.
+    float sectionAxes = 1.0F; ///< 1..3: longest over shortest diameter of a hair's section; 1 is round.
     friend bool operator==(const StrandMaterial&, const StrandMaterial&) = default;
 };
 
@@ -88,6 +89,14 @@ struct LockSettings
     friend bool operator==(const LockSettings&, const LockSettings&) = default;
 };
 
+/// The edge of the hair towards bare skin.
+struct HairlineSettings
+{
+    float softenM = 0.0F; ///< m, 0..0.03: width over which hair grows thinner, shorter and finer towards it.
+    float baby = 0.0F;    ///< 0..1: fraction of the hairs at the very edge that are short, fine and a little curled.
+    friend bool operator==(const HairlineSettings&, const HairlineSettings&) = default;
+};
+
 /// Nodes of a skeleton, root and tip included.
 inline constexpr int kLeastNodes = 4;
 inline constexpr int kMostNodes = 32;
@@ -111,6 +120,7 @@ struct GroupSettings
     CurlSettings curl;
     LockSettings locks;
     VariationSettings variation;
+    HairlineSettings hairline;
     PhysicsSettings physics;
     StrandMaterial material;
     friend bool operator==(const GroupSettings&, const GroupSettings&) = default;
@@ -133,9 +143,10 @@ enum class Affects : std::uint8_t
     return (static_cast<std::uint8_t>(what) & static_cast<std::uint8_t>(asked)) != 0;
 }
 
-using SettingMember = std::variant<float GroupSettings::*, int GroupSettings::*, bool GroupSettings::*,
-                                   TurnsMode GroupSettings::*, float CurlSettings::*, float LockSettings::*,
-                                   float VariationSettings::*, float PhysicsSettings::*, float StrandMaterial::*>;
+using SettingMember =
+    std::variant<float GroupSettings::*, int GroupSettings::*, bool GroupSettings::*, TurnsMode GroupSettings::*,
+                 float CurlSettings::*, float LockSettings::*, float VariationSettings::*, float PhysicsSettings::*,
+                 float StrandMaterial::*, float HairlineSettings::*>;
 
 /// What a setting affects. Each has a row in group_settings.cpp.
 [[nodiscard]] Affects affectsOf(const SettingMember& setting);

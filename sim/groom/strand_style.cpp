@@ -206,6 +206,13 @@ StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, con
     style.lengthM = uncutM * own.length;
     style.turns = coil.turns * own.length;
     style.curlRadiusM = coil.radiusM;
+    if (own.babyM > 0.0F) {
+        constexpr float kTurns = 0.9F;
+        constexpr float kRadius = 0.07F; // Of its length.
+        style.lengthM = std::min(style.lengthM, own.babyM);
+        style.turns = kTurns * own.turns;
+        style.curlRadiusM = kRadius * style.lengthM;
+    }
     style.phase = chance.phase;
     style.variation = chance.variation;
     setLook(settings, values.look, own, style);

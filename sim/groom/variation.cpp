@@ -48,16 +48,6 @@ enum Which : std::uint64_t
     StrayAlong
 };
 
-/// -1..1, smooth over some 2 cm.
-float wavering(glm::vec3 positionHd, float phase)
-{
-    constexpr float kFirst = 260.0F; // rad/m
-    constexpr float kSecond = 430.0F;
-    const float first = sinDet(phase + kFirst * (positionHd.x + 0.6F * positionHd.y - 0.8F * positionHd.z));
-    const float second = sinDet(1.7F * phase + kSecond * (0.7F * positionHd.x - positionHd.y + 0.5F * positionHd.z));
-    return 0.6F * first + 0.4F * second;
-}
-
 /// By an angle around a unit axis.
 class Turn
 {
@@ -107,6 +97,15 @@ HairVariation variationOf(const VariationSettings& settings, std::uint64_t seed,
     }
     own.isGrey = settings.grey > 0.0F && chances.unit(Grey) < settings.grey;
     return own;
+}
+
+float wavering(glm::vec3 positionHd, float phase)
+{
+    constexpr float kFirst = 260.0F; // rad/m
+    constexpr float kSecond = 430.0F;
+    const float first = sinDet(phase + kFirst * (positionHd.x + 0.6F * positionHd.y - 0.8F * positionHd.z));
+    const float second = sinDet(1.7F * phase + kSecond * (0.7F * positionHd.x - positionHd.y + 0.5F * positionHd.z));
+    return 0.6F * first + 0.4F * second;
 }
 
 glm::vec3 strayOf(const VariationSettings& settings, std::uint64_t seed, std::uint32_t rank, glm::vec3 rootHd,

@@ -21,12 +21,16 @@ struct HairVariation
     float acrossRad = 0.0F; ///< The whole hair is turned by that around the skin's normal at its root;
     float leanRad = 0.0F;   ///< as far as it stands, to the normal or away from it;
     float liftRad = 0.0F;   ///< and off the skin.
+    float babyM = 0.0F;     ///< Length, at most, of a baby hair, which curls a little by itself; else 0.
     bool isFlyaway = false; ///< Keeps to no lock.
     bool isGrey = false;
 
     [[nodiscard]] bool isTurned() const { return acrossRad != 0.0F || leanRad != 0.0F || liftRad != 0.0F; }
 };
 [[nodiscard]] HairVariation variationOf(const VariationSettings& settings, std::uint64_t seed, std::uint32_t rank);
+
+/// -1..1 over the skin, smooth over some 2 cm.
+[[nodiscard]] float wavering(glm::vec3 positionHd, float phase);
 
 /// From a root to where on the skin beside it the hair takes its direction from, at most `settings.parting` away: near
 /// a parting some lie to the other side, and the line between the sides wavers. Hd, m.

@@ -1,5 +1,6 @@
 // groom_build/hairs:H/varied:V: grooming H hairs from their maps, with roots and neighbours ready; varied 1: each hair
-// differs in all that variation has; varied 2: and is coiled in real units, in locks of all that locks have.
+// differs in all that variation has; varied 2: and is coiled in real units, in locks of all that locks have;
+// varied 3: and a third of the head is bare, with a hard edge; varied 4: towards which hair softens.
 // groom_update_dab/hairs:H: bringing the groom up to date after a dab over one per cent of the head.
 // memory/hairs:H: what hairs of 8 nodes take with roots, groom, basis hairs' motion and one frame; bytes_per_hair.
 // groom_update_comb/hairs:H: the same after a dab of the comb, whose hairs lie across the head for up to 16 cm.
@@ -21,12 +22,16 @@ namespace {
 using namespace hairpaint;
 
 /// Every map has other tiles, so that all hairs are built again while the roots stay.
-sim::GroomInput repainted(const sim::GroomInput& input, std::uint16_t length)
+sim::GroomInput repainted(const sim::GroomInput& input, std::uint16_t length, bool partlyBare)
 {
     sim::GroomInput other = input;
     sim::GroupMaps& maps = other.groups.front().maps;
     const int size = maps[sim::MapSlot::Length]->size();
-    maps[sim::MapSlot::Density] = std::make_shared<const sim::TiledRaster>(size, 1, sim::Texel{65535});
+    auto density = std::make_shared<sim::TiledRaster>(size, 1, sim::Texel{65535});
+    for (int tile = 0; partlyBare && tile < density->tileCount(); ++tile)
+        if (density->tileRect(tile).x0 * 3 < size)
+            density->setUniform(tile, {0});
+    maps[sim::MapSlot::Density] = std::move(density);
     maps[sim::MapSlot::Length] = std::make_shared<const sim::TiledRaster>(size, 1, sim::Texel{length});
     return other;
 }
@@ -45,6 +50,8 @@ void groomBuild(benchmark::State& state)
         settings.locks = {
             .sizeM = 0.014F, .small = 0.4F, .flatness = 0.3F, .twistsPerM = 2.0F, .ragged = 0.5F, .parting = 0.3F};
     }
+    if (state.range(1) > 3)
+        input.groups.front().settings.hairline = {.softenM = 0.008F, .baby = 0.35F};
     sim::GroomBuilder builder;
     benchmark::DoNotOptimize(builder.update(input));
     std::uint16_t length = 20000;
@@ -52,7 +59,7 @@ void groomBuild(benchmark::State& state)
     for ([[maybe_unused]] auto step : state) {
         static_cast<void>(step);
         state.PauseTiming();
-        const sim::GroomInput next = repainted(input, ++length);
+        const sim::GroomInput next = repainted(input, ++length, state.range(1) > 2);
         state.ResumeTiming();
         const sim::GroomBuilder::Report report = builder.update(next);
         rebuilt = report.rebuiltStrands;
@@ -124,6 +131,8 @@ BENCHMARK(groomBuild)
     ->Args({100000, 0})
     ->Args({100000, 1})
     ->Args({100000, 2})
+    ->Args({100000, 3})
+    ->Args({100000, 4})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK(groomUpdate<bench::dabbed>)

@@ -113,10 +113,11 @@ private Q_SLOTS:
                                            [&](const GroupSetting& other) { return qstrcmp(row.key, other.key) == 0; }),
                      1);
         }
-        // No two rows are for one member, so equal numbers mean that each member has one; five are the parts.
-        QCOMPARE(rows.size(), kMembers<sim::GroupSettings> - 5 + kMembers<sim::CurlSettings> +
-                                  kMembers<sim::LockSettings> + kMembers<sim::VariationSettings> +
-                                  kMembers<sim::PhysicsSettings> + kMembers<sim::StrandMaterial>);
+        // No two rows are for one member, so equal numbers mean that each member has one; six are the parts.
+        QCOMPARE(rows.size(), kMembers<sim::GroupSettings> - 6 + kMembers<sim::CurlSettings> +
+                                  kMembers<sim::LockSettings> + kMembers<sim::HairlineSettings> +
+                                  kMembers<sim::VariationSettings> + kMembers<sim::PhysicsSettings> +
+                                  kMembers<sim::StrandMaterial>);
     }
 
     void strandsAreRebuiltJustWhereTheTableSaysSo_data() { addRows(); }

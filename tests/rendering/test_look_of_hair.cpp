@@ -140,6 +140,32 @@ private Q_SLOTS:
         QVERIFY(frizzy.difference(straight, 0, 0, kLookWidth, 46) < 0.4 * strayed);
     }
 
+    void flatFibresGlintAlongTheHairAndBothRenderersDrawTheSame()
+    {
+        const auto drawn = [&](bool software, float axes) {
+            return drawnComb(
+                software,
+                [](sim::StrandStyle& style) {
+                    style.turns = 2.0F; // Of the section, where the curl has no radius.
+                    style.phase = 1.0F;
+                },
+                [axes](sim::StrandMaterial& material) { material.sectionAxes = axes; }, 8);
+        };
+        const Picture round = drawn(true, 1.0F);
+        const Picture flat = drawn(true, 2.0F);
+        const double turned = flat.difference(round);
+        const double apart = flat.difference(drawn(false, 2.0F));
+        QVERIFY2(turned > 3.0 * apart && turned > 0.3, qPrintable(QStringLiteral("%1 %2").arg(turned).arg(apart)));
+        double least = 10.0;
+        double most = 0.0;
+        for (int y = 40; y + 8 <= kLookHeight - 40; y += 8) {
+            const double part = lightOver(flat, 0, y, kLookWidth, y + 8) / lightOver(round, 0, y, kLookWidth, y + 8);
+            least = std::min(least, part);
+            most = std::max(most, part);
+        }
+        QVERIFY2(most > 1.1 * least, qPrintable(QStringLiteral("%1 %2").arg(least).arg(most)));
+    }
+
     void aTaperThinsTheLastCentimetresAlone_data() { byRenderer(); }
     void aTaperThinsTheLastCentimetresAlone()
     {

@@ -28,6 +28,7 @@ GroomInput startInput()
     group.maps[MapSlot::Density] = uniformMap(0.6F);
     group.settings.variation = {
         .length = 0.1F, .curl = 0.2F, .width = 0.2F, .crossing = 0.05F, .flyaways = 0.05F, .parting = 0.006F};
+    group.settings.hairline = {.softenM = 0.01F, .baby = 0.3F};
     group.settings.physics.volumeRiseM = 0.03F;
     group.maps[MapSlot::Curl] = uniformMap(0.3F);
     return inputOf(std::make_shared<const Skin>(makeBallHead(48, 0.1F)), group);
@@ -351,6 +352,7 @@ void TestGroomUpdates::settingsThatChangeTheHairsEqualAFreshBuild_data()
             .length = 0.2F, .curl = 0.3F, .crossing = 0.1F, .flyaways = 0.1F, .grey = 0.3F};
     });
     row("parting", [](GroomInput& i) { i.groups[0].settings.variation.parting = 0.001F; });
+    row("hairline", [](GroomInput& i) { i.groups[0].settings.hairline = {.softenM = 0.005F, .baby = 0.2F}; });
     row("rise of the volume", [](GroomInput& i) { i.groups[0].settings.physics.volumeRiseM = 0.06F; });
     row("braid spacing", [](GroomInput& i) { i.groups[0].settings.braidSpacingM = 0.05F; });
     row("seed", [](GroomInput& i) { i.seed = 2; });

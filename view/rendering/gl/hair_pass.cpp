@@ -234,6 +234,7 @@ bool HairPass::projectPiece()
     m_shade.set("tipMix", glm::vec2(tipMix.scale, tipMix.offset));
     m_shade.set("groupWidthM", settings.material.widthM);
     m_shade.set("variationScale", settings.material.colourVariation);
+    m_shade.set("sectionAxes", settings.material.sectionAxes);
     dispatch(piece.pointCount);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     return true;

@@ -48,6 +48,7 @@ HWY_INLINE Vec3 reflectedIn(const Vec3& v, const Vec3& axis, Lanes squared)
 
 #define CURVE_FUNCTION HWY_INLINE
 #include "sim/groom/curve_formula.inl"
+#include "sim/groom/fibre_formula.inl"
 #undef CURVE_FUNCTION
 
 } // namespace of_lanes

@@ -225,6 +225,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
                       .tapers = material.taperM > 0.0F,
                       .tipMix = sim::tipMixOf(material),
                       .variationScale = material.colourVariation,
+                      .sectionAxes = material.sectionAxes,
                       .nearestM = m_nearestM,
                       .depthsPerM = m_depthsPerM,
                       .toleranceSp = fine ? kFineToleranceSp : kMovingToleranceSp,

@@ -71,7 +71,8 @@ struct StrandView
     bool tapers = false; ///< Over less than all of their length.
     sim::TipMix tipMix = {};
     float variationScale = 0.0F;
-    float nearestM = 0.0F; ///< Depths run from here, in 16 bits;
+    float sectionAxes = 1.0F; ///< See StrandMaterial.
+    float nearestM = 0.0F;    ///< Depths run from here, in 16 bits;
     float depthsPerM = 0.0F;
     float toleranceSp = 0.25F; ///< How far a drawn curve may lie beside the true one.
     /// Coverings of hair in front, seen by the eye, from which on nothing is drawn.

@@ -163,6 +163,7 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
     const Lanes order = loaded(block.order.data() + lane);
     const Lanes shine = loaded(block.shine.data() + lane);
     const Lanes sharpness = loaded(block.sharpness.data() + lane);
+    const bool isFlat = view.sectionAxes > 1.0F;
     const Lanes perTaper = loaded(block.perTaper.data() + lane);
     const Lanes beforeTaper = Lanes(1.0F) - perTaper;
     const Lanes lightness = exp2Of(variation * Lanes(3.0F * view.variationScale));
@@ -222,15 +223,21 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
         const Lanes slant = root((squareX + squareY) / most(most(squareX, squareY), Lanes(1e-20F)));
         const Lanes thinning = most(Lanes(s) * perTaper + beforeTaper, Lanes(0.0F));
         const Lanes alpha = Lanes(view.rootAlpha) + Lanes(view.tipAlpha - view.rootAlpha) * thinning * thinning;
-        const Lanes width = least(spread * perW * alpha, Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
+        of_lanes::Section section{.width = Lanes(1.0F), .glint = Lanes(1.0F), .lean = Lanes(0.0F)};
+        if (isFlat)
+            section = of_lanes::sectionAt(Lanes(view.sectionAxes), loaded(block.turns.data() + lane),
+                                          loaded(block.lengthM.data() + lane), loaded(block.phase.data() + lane),
+                                          variation, Lanes(s));
+        const Lanes width =
+            least(spread * perW * alpha * section.width, Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
         stored(select(seen, width, Lanes(0.0F)), out.width.data() + row);
 
         const Lanes behind = most(columnAt(view.opacity[1], view.gridSide, toEye) - towardEye, Lanes(0.0F));
         const Lanes tip(view.tipMix.at(s));
-        const Triple<Lanes> lit =
-            hairLight(view.lighting, HairPoint<Lanes>{here, tangent, rootLight + (tipLight - rootLight) * tip,
-                                                      rootDepth + (tipDepth - rootDepth) * tip, turned, towardLight,
-                                                      towardEye, behind, shine, sharpness});
+        const Triple<Lanes> lit = hairLight(
+            view.lighting, HairPoint<Lanes>{here, tangent, rootLight + (tipLight - rootLight) * tip,
+                                            rootDepth + (tipDepth - rootDepth) * tip, turned + section.lean,
+                                            towardLight, towardEye, behind, shine * section.glint, sharpness});
         const Ints packed =
             hn::Or(hn::Or(tenBits(lit.x), hn::ShiftLeft<10>(tenBits(lit.y))), hn::ShiftLeft<20>(tenBits(lit.z)));
         hn::StoreU(packed, di, reinterpret_cast<std::int32_t*>(out.colour.data()) + row);

@@ -1,0 +1,220 @@
+// Probes in cells as large as an edge's reach, so that the bare ones near a root are in the cells that touch its own.
+#include "sim/groom/hairline.h"
+
+#include "sim/base/deterministic.h"
+#include "sim/base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace hairpaint::sim {
+
+namespace {
+
+constexpr std::uint64_t kHairlineKey = 0x656467650A75u; ///< Apart from the keys of other uses of the seed.
+constexpr float kBareBelow = 0.01F;                     ///< Density.
+constexpr float kProbesApart = 0.33F;                   ///< Of the softened width; closer than roots they are not.
+constexpr float kWavers = 0.4F;                         ///< By how much of itself that width differs,
+constexpr float kRecedes = 0.3F;                        ///< and by how much of it the edge lies further inside.
+constexpr float kPhase = 4.4F;
+constexpr float kEdgePhase = 1.9F;
+constexpr float kFiner = 2.0F; ///< Teeth of the edge than swellings of the width.
+constexpr float kMostCellsAcross = 96.0F;
+constexpr std::size_t kChunksAtOnce = 4;
+
+/// From what a probe says to where the edge is, halfway between probes.
+constexpr float kBetweenProbes = 0.4F;
+
+} // namespace
+
+void Hairline::startOver(const std::shared_ptr<const RootSet>& roots, float softenM)
+{
+    if (!(softenM > 0.0F)) {
+        *this = Hairline();
+        return;
+    }
+    if (roots == m_roots && softenM == m_softenM)
+        return;
+    m_roots = roots;
+    m_softenM = softenM;
+    makeCells(softenM);
+    m_density.assign(roots->count(), 0.0F);
+    m_depth.assign(roots->count(), 1.0F);
+}
+
+void Hairline::makeCells(float softenM)
+{
+    const RootSet& roots = *m_roots;
+    m_spacingM = kProbesApart * softenM;
+    const double wanted = roots.skin->areaM2() / (static_cast<double>(m_spacingM) * static_cast<double>(m_spacingM));
+    const auto probes = static_cast<std::size_t>(std::min(wanted, static_cast<double>(roots.count())));
+    m_spacingM =
+        std::sqrt(static_cast<float>(roots.skin->areaM2() / static_cast<double>(std::max<std::size_t>(probes, 1))));
+
+    glm::vec3 least(std::numeric_limits<float>::max());
+    glm::vec3 most(-std::numeric_limits<float>::max());
+    for (const glm::vec3& positionHd : roots.positionHd) {
+        least = glm::min(least, positionHd);
+        most = glm::max(most, positionHd);
+    }
+    const glm::vec3 extent = roots.count() > 0 ? most - least : glm::vec3(0.0F);
+    const float reachM = softenM * (1.0F + kWavers + kRecedes) + kBetweenProbes * m_spacingM;
+    const float cellM = std::max(reachM, std::max({extent.x, extent.y, extent.z}) / kMostCellsAcross);
+    m_perCell = 1.0F / cellM;
+    m_originHd = least - 1.5F * cellM; // However the positions' cells are rounded.
+    m_size = glm::u64vec3(extent * m_perCell) + glm::u64vec3(4);
+
+    m_cell.resize(roots.count());
+    parallelFor(roots.count(), kChunkSlots, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t slot = begin; slot < end; ++slot)
+            m_cell[slot] = static_cast<std::uint32_t>(cellOf(roots.positionHd[slot]));
+    });
+    // Counted, summed up, filled in.
+    const std::size_t cells = m_size.x * m_size.y * m_size.z;
+    m_first.assign(cells + 1, 0);
+    for (std::size_t rank = 0; rank < probes; ++rank)
+        ++m_first[m_cell[roots.slotOfRank[rank]] + 1];
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    m_probe.resize(probes);
+    std::vector<std::uint32_t> next(m_first.begin(), m_first.end() - 1);
+    for (std::size_t rank = 0; rank < probes; ++rank) {
+        const std::uint32_t slot = roots.slotOfRank[rank];
+        m_probe[next[m_cell[slot]]++] = slot;
+    }
+    m_isBare.assign(probes, 0);
+    m_bareIn.assign(cells, 0);
+    m_bareAround.assign(cells, 0);
+}
+
+std::size_t Hairline::cellOf(glm::vec3 positionHd) const
+{
+    const glm::u64vec3 at((positionHd - m_originHd) * m_perCell);
+    return (at.z * m_size.y + at.y) * m_size.x + at.x;
+}
+
+template<typename Change>
+void Hairline::aroundCell(std::size_t cell, const Change& change) const
+{
+    const std::size_t layer = m_size.x * m_size.y;
+    for (std::size_t z = 0; z < 3; ++z)
+        for (std::size_t y = 0; y < 3; ++y)
+            for (std::size_t x = 0; x < 3; ++x)
+                change(cell + z * layer + y * m_size.x + x - layer - m_size.x - 1);
+}
+
+void Hairline::readBare(const SlotSet& dirty, std::vector<std::uint8_t>& differs)
+{
+    for (std::size_t cell = 0; cell + 1 < m_first.size(); ++cell) {
+        const std::uint32_t before = m_bareIn[cell];
+        bool any = false;
+        for (std::uint32_t probe = m_first[cell]; probe < m_first[cell + 1]; ++probe) {
+            if (!dirty.contains(m_probe[probe]))
+                continue;
+            const std::uint8_t isBare = m_density[m_probe[probe]] < kBareBelow ? 1 : 0;
+            any |= isBare != m_isBare[probe];
+            m_bareIn[cell] += isBare;
+            m_bareIn[cell] -= m_isBare[probe];
+            m_isBare[probe] = isBare;
+        }
+        if (!any)
+            continue;
+        const int more = (m_bareIn[cell] != 0 ? 1 : 0) - (before != 0 ? 1 : 0);
+        aroundCell(cell, [&](std::size_t around) {
+            m_bareAround[around] = static_cast<std::uint8_t>(m_bareAround[around] + more);
+            differs[around] = 1;
+        });
+    }
+}
+
+void Hairline::update(const MapSampler& density, SlotSet& dirty)
+{
+    if (isOff() || dirty.empty())
+        return;
+    parallelFor(dirty.chunkCount(), kChunksAtOnce, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t chunk = begin; chunk < end; ++chunk)
+            dirty.forEachInChunk(chunk,
+                                 [&](std::uint32_t slot) { m_density[slot] = density.scalar(m_roots->uv[slot]); });
+    });
+    std::vector<std::uint8_t> differs(m_bareIn.size(), 0);
+    readBare(dirty, differs);
+    parallelFor(dirty.chunkCount(), kChunksAtOnce, [&](std::size_t begin, std::size_t end) {
+        const std::size_t last = std::min(end * kChunkSlots, m_depth.size());
+        for (std::size_t i = begin * kChunkSlots; i < last; ++i) {
+            const auto slot = static_cast<std::uint32_t>(i);
+            if (differs[m_cell[slot]] == 0 && !dirty.contains(slot))
+                continue;
+            const float depth = depthAt(slot);
+            if (depth != m_depth[slot])
+                dirty.insert(slot);
+            m_depth[slot] = depth;
+        }
+    });
+}
+
+float Hairline::depthAt(std::uint32_t slot) const
+{
+    const RootSet& roots = *m_roots;
+    const std::size_t cell = m_cell[slot];
+    if (m_bareAround[cell] == 0 || !(roots.threshold(slot) < m_density[slot]))
+        return 1.0F;
+    const glm::vec3 rootHd = roots.positionHd[slot];
+    const glm::vec3 normalHd = roots.normalHd[slot];
+    const float widthM = m_softenM * (1.0F + kWavers * wavering(rootHd, kPhase));
+    const float insetM =
+        kBetweenProbes * m_spacingM + m_softenM * kRecedes * std::max(wavering(rootHd * kFiner, kEdgePhase), 0.0F);
+    const float mostM2 = (widthM + insetM) * (widthM + insetM);
+    float least = mostM2;
+    const std::size_t layer = m_size.x * m_size.y;
+    for (std::size_t z = 0; z < 3; ++z)
+        for (std::size_t y = 0; y < 3; ++y) {
+            const std::size_t row = cell + z * layer + y * m_size.x - layer - m_size.x - 1;
+            for (std::uint32_t probe = m_first[row]; probe < m_first[row + 3]; ++probe) {
+                if (m_isBare[probe] == 0)
+                    continue;
+                const glm::vec3 apart = roots.positionHd[m_probe[probe]] - rootHd;
+                const float squared = glm::dot(apart, apart);
+                // Not the other side of an ear.
+                if (squared < least && glm::dot(roots.normalHd[m_probe[probe]], normalHd) > 0.0F)
+                    least = squared;
+            }
+        }
+    return least == mostM2 ? 1.0F : std::clamp((std::sqrt(least) - insetM) / widthM, 0.0F, 1.0F);
+}
+
+float densityAtDepth(float depth)
+{
+    constexpr float kAtEdge = 0.1F;
+    return kAtEdge + (1.0F - kAtEdge) * depth * (2.0F - depth);
+}
+
+void thinAtDepth(float baby, float depth, std::uint64_t seed, std::uint32_t rank, HairVariation& own)
+{
+    if (depth >= 1.0F)
+        return;
+    constexpr float kShortest = 0.35F; // Of the length,
+    constexpr float kLongest = 0.85F;
+    constexpr float kFinest = 0.5F; // and of the width.
+    constexpr float kWidest = 0.8F;
+    const std::uint64_t key = hash64(seed ^ kHairlineKey, rank);
+    const std::uint64_t chances = hash64(key, 1);
+    const float out = (1.0F - depth) * (1.0F - depth);
+    own.length *= 1.0F - out * (1.0F - (kShortest + (kLongest - kShortest) * unitFloat(key)));
+    own.width *= 1.0F - (1.0F - depth) * (1.0F - (kFinest + (kWidest - kFinest) * unitFloat(key << 32U)));
+    if (!(unitFloat(chances) < baby * out))
+        return;
+    constexpr float kLeastM = 0.006F;
+    constexpr float kMostM = 0.02F;
+    constexpr float kFine = 0.75F;
+    constexpr float kAcrossRad = 0.7F;
+    constexpr float kLiftRad = 0.25F;
+    const std::uint64_t more = hash64(key, 2);
+    own.babyM = kLeastM + (kMostM - kLeastM) * unitFloat(chances << 32U);
+    own.width *= kFine;
+    own.acrossRad += kAcrossRad * (2.0F * unitFloat(more) - 1.0F);
+    own.liftRad += kLiftRad * unitFloat(more << 32U);
+    own.isFlyaway = true;
+}
+
+} // namespace hairpaint::sim
