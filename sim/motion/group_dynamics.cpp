@@ -43,6 +43,20 @@ glm::vec3 downOf(const StepForces& calm)
     return pull > 0.0F ? gravity / pull : glm::vec3(0.0F, -1.0F, 0.0F);
 }
 
+/// How often the distance within which hair lies still has doubled.
+unsigned doublingsAfter(std::size_t calmSteps)
+{
+    constexpr std::size_t kExact = 480; // 4 s
+    constexpr std::size_t kDoubles = 240;
+    constexpr std::size_t kMost = 5;
+    return calmSteps < kExact ? 0U : static_cast<unsigned>(std::min(1 + (calmSteps - kExact) / kDoubles, kMost));
+}
+
+std::size_t calmAfter(std::size_t calmSteps, const StepForces& step)
+{
+    return step.windy ? 0 : calmSteps + 1;
+}
+
 bool sameColliders(const ColliderSet& a, const ColliderSet& b)
 {
     if (a.count != b.count || a.grid != b.grid)
@@ -107,7 +121,7 @@ void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderS
         m_body->setGroom(*m_groom);
     const bool otherCoat = otherColliders || otherGains || before.roots != m_groom->roots;
     m_dependents.prepare(*m_groom, m_colliders, otherCoat);
-    m_awake = true;
+    rouse();
 }
 
 std::vector<std::size_t> GroupDynamics::takeStrands(const Groom& before, std::span<const std::int32_t> origin,
@@ -244,7 +258,7 @@ void GroupDynamics::reset()
     });
     if (m_body)
         m_body->forget();
-    m_awake = true;
+    rouse();
 }
 
 void GroupDynamics::hangAnew(const StepForces& calm)
@@ -259,7 +273,7 @@ void GroupDynamics::hangAnew(const StepForces& calm)
     settle(wanted, calm);
     if (m_body)
         m_body->forget();
-    m_awake = true;
+    rouse();
 }
 
 void GroupDynamics::wake()
@@ -268,7 +282,26 @@ void GroupDynamics::wake()
         if (m_state.field(strand, kStill) < kUnwanted)
             m_state.wakeStrand(strand);
     }
+    rouse();
+}
+
+void GroupDynamics::rouse()
+{
     m_awake = true;
+    m_calmSteps = 0;
+}
+
+/// Single strands of a coat that is at rest tremble about where others hold them: the longer nothing moves the hair the
+/// further they may and fall asleep all the same.
+std::size_t GroupDynamics::calmDown(std::span<const StepForces> steps)
+{
+    const unsigned doublings = doublingsAfter(m_calmSteps);
+    m_gains.stillM = kStillM * static_cast<float>(1U << doublings);
+    std::size_t count = 0;
+    std::size_t calm = m_calmSteps;
+    while (count < steps.size() && doublingsAfter(calm) == doublings)
+        calm = calmAfter(calm, steps[count++]);
+    return count;
 }
 
 bool GroupDynamics::asleep() const
@@ -291,7 +324,7 @@ void GroupDynamics::step(std::span<const StepForces> steps)
     for (std::span<const StepForces> left = steps; !left.empty();) {
         std::size_t count = left.size();
         if (m_body) {
-            count = m_body->meet(m_state, count);
+            count = m_body->meet(m_state, calmDown(left));
             blocks.contact = m_body->contact();
             blocks.dense = m_body->dense();
         }
@@ -299,6 +332,8 @@ void GroupDynamics::step(std::span<const StepForces> steps)
             stepBlocks(blocks, m_gains, m_colliders, left.first(count), m_state.present, begin, end);
         });
         m_state.present = (m_state.present + static_cast<int>(count)) % 2;
+        for (const StepForces& step : left.first(count))
+            m_calmSteps = calmAfter(m_calmSteps, step);
         left = left.subspan(count);
     }
     m_awake = windy || std::any_of(m_state.awake.begin(), m_state.awake.end(), [](std::uint8_t a) { return a != 0; });

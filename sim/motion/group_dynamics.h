@@ -49,6 +49,10 @@ private:
     void hang(const StrandState& state, std::size_t strand, std::span<const glm::vec3> restHd, glm::vec3 downHd,
               std::span<glm::vec3> nodesHd) const;
     void settle(std::span<const std::size_t> strands, const StepForces& calm);
+    /// Something else than gravity moves the hair, or did until now.
+    void rouse();
+    /// Sets m_gains.stillM; returns for how many of the steps, from the first on, it is right.
+    [[nodiscard]] std::size_t calmDown(std::span<const StepForces> steps);
 
     std::shared_ptr<const Groom> m_groom;
     ColliderSet m_colliders;
@@ -56,6 +60,7 @@ private:
     StrandState m_state;
     std::unique_ptr<HairBody> m_body;
     mutable Dependents m_dependents; ///< Its buffers are reused from frame to frame.
+    std::size_t m_calmSteps = 0;     ///< Since something else than gravity moved the hair.
     bool m_awake = false;
     bool m_isNew = true;
 };

@@ -14,9 +14,9 @@ namespace hairpaint::sim {
 /// Not thread safe. Results do not depend on the number of threads that parallelFor uses.
 ///
 /// Step: Verlet with drag (equation 5), gravity, wind against each segment's relative velocity, rest shape held by gel
-/// and body, length constraint (equation 4, algorithm 2, then one exact root-to-tip pass, Mueller et al. 2012),
-/// ellipsoids and skin with friction; dependent hairs by displacement (algorithm 3), their length restored.
-/// Missing: hair against hair.
+/// and body, hair against hair (HairBody), length constraint (equation 4, algorithm 2, then one exact root-to-tip pass,
+/// Mueller et al. 2012), ellipsoids and skin with friction; dependent hairs by displacement (algorithm 3), their length
+/// restored.
 class Simulation
 {
 public:

@@ -32,7 +32,8 @@ void StepBlocks(const SolverBlocks& blocks, const GroupGains& gains, const Colli
                 if (!asleep(lanes, step.windy ? kUnwanted : kStillSteps + 2.0F))
                     stepStrands(gains, colliders, step,
                                 {blocks.rest + at, blocks.positions[read] + at, blocks.positions[1 - read] + at,
-                                 blocks.previous + at, lanes, scratch, contact, blocks.contact != nullptr});
+                                 blocks.previous + at, lanes, scratch, contact, blocks.contact != nullptr,
+                                 any(loaded(lanes + kRecoil * kLanes) > 0.0F)});
                 read = 1 - read;
             }
             if (!asleep(lanes, kStillSteps + 2.0F))

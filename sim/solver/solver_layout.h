@@ -29,6 +29,7 @@ enum LaneField : std::uint8_t
     kExposure,     ///< Fraction of the wind's strength.
     kGirth,        ///< How far it is kept from the skin, m: half the thickness of the braid about it, or what the
                    ///< hair beneath takes up; 0: a hair.
+    kRecoil,       ///< 0..1: see recoil(); 0 without body.
     kGive,         ///< Fraction of its length by which the strand stretches and shortens; 0: not at all.
     kStretch,      ///< Fraction by which it is longer now, -kGive..kGive,
     kStretchSpeed, ///< and by how much more a second.
@@ -103,6 +104,7 @@ struct GroupGains
     float gravityScale = 1.0F;
     float windGain = 0.0F;                    ///< Fraction of the relative velocity of the air taken over in a step.
     float frictionKeep = 1.0F;                ///< Fraction of the tangential motion kept in contact.
+    float stillM = kStillM;                   ///< What counts as lying still, see kStillM.
     float stickSlope2 = 0.0F;                 ///< Contact sticks while (tangential/normal motion)^2 is below.
     std::array<float, kMostNodes> rootKeep{}; ///< Fraction of the motion against the head that hair around leaves.
     std::array<float, kMostNodes> waveACos{}, waveASin{}, waveBCos{}, waveBSin{}; ///< Turbulence along the strand.

@@ -2,6 +2,7 @@
 #include "sim/solver/strand_constants.h"
 
 #include "sim/base/deterministic.h"
+#include "sim/groom/lay_kernel.h"
 #include "sim/solver/wind_phases.h"
 
 #include <algorithm>
@@ -33,13 +34,14 @@ float damped(float k)
 }
 
 /// How far from the skin the hair beneath keeps a strand (root first) with body: 95 % of its own distance at rest where
-/// that is least once it has risen by kGirthSlope; at most its height in the coat. 0 where the rest shape leads into
-/// the skin.
+/// that is least over the head once it has risen by kGirthSlope; at most its height in the coat.
 float heldUpM(const ColliderSet& colliders, std::span<const glm::vec3> restHd, float segmentM, float coatHeightM)
 {
     constexpr float kOfRest = 0.95F;
     float heldM = colliders.grid ? coatHeightM : 0.0F;
-    for (std::size_t i = 2; i < restHd.size() && heldM > 0.0F; ++i) {
+    // Further on it is straight and knows nothing of the shoulders that it will lie on.
+    for (std::size_t i = 2; i < restHd.size() && segmentM * static_cast<float>(i) < kFurthestLayM && heldM > 0.0F;
+         ++i) {
         const auto sample = colliders.grid->at(restHd[i]);
         if (sample && kOfRest * sample->distanceM < kGirthSlope * segmentM * static_cast<float>(i))
             heldM = std::min(heldM, std::max(kOfRest * sample->distanceM, 0.0F));
@@ -139,6 +141,9 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
                                       heldUpM(colliders, std::span(rest).first(nodes), segment,
                                               basis[BasisQuantity::Height][basisIndex] * physics.volumeM));
     state.field(basisIndex, kGirth) = std::min(girthM, kMostGirthM);
+    constexpr float kGivenBack = 0.9F;
+    const bool isBraided = basis[BasisQuantity::Girth][basisIndex] > 0.0F;
+    state.field(basisIndex, kRecoil) = isBraided && physics.body > 0.0F ? kGivenBack : 0.0F;
     state.field(basisIndex, kGive) = basis[BasisQuantity::Give][basisIndex] / (1.0F + hold);
     state.field(basisIndex, kStretch) =
         std::clamp(state.field(basisIndex, kStretch), -state.field(basisIndex, kGive), state.field(basisIndex, kGive));

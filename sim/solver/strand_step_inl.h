@@ -16,6 +16,7 @@
 #include "sim/solver/constraints/inertia_inl.h"
 #include "sim/solver/constraints/length_inl.h"
 #include "sim/solver/constraints/obstacles_inl.h"
+#include "sim/solver/constraints/recoil_inl.h"
 #include "sim/solver/constraints/sleep_inl.h"
 #include "sim/solver/constraints/speed_limit_inl.h"
 #include "sim/solver/constraints/wind_inl.h"
@@ -34,6 +35,7 @@ struct StrandRows
     float* HWY_RESTRICT p;          ///< Scratch: where nodes are headed.
     const float* HWY_RESTRICT hair; ///< Contact with hair around; null where there is none.
     bool hasBody;
+    bool recoils; ///< Any of the strands, see recoil().
 };
 
 /// Where equation 5, with drag, gravity, wind and the hair around, and the strand's own stiffness lead its nodes, into
@@ -86,7 +88,10 @@ HWY_INLINE Lanes3 placeNode(const GroupGains& gains, const ColliderSet& collider
     const Lanes3 lie = loaded3(rows.lanes + kLieX * kLanes);
     const Obstacles obstacles{colliders, step.neck, rows.lanes, clearanceOf(rows.lanes, length, node),
                               node == 1, parent};
-    Lanes3 p = atLength(parent, loaded3(rows.p + offset), length, lie);
+    const Lanes3 headed = loaded3(rows.p + offset);
+    Lanes3 p = atLength(parent, headed, length, lie);
+    if (rows.recoils && node > 1)
+        recoil(rows.lanes, moving, p - headed, rows.previous + offset - StrandBlocks::kNodeStride);
     Contact contact = noContact();
     Yes ofSkin = contact.touched;
     if (collide(obstacles, p, contact, ofSkin)) {
@@ -114,7 +119,7 @@ HWY_INLINE Lanes3 placeNode(const GroupGains& gains, const ColliderSet& collider
 HWY_INLINE void stepStrands(const GroupGains& gains, const ColliderSet& colliders, const StepForces& step,
                             const StrandRows& rows)
 {
-    StillWatch watch(step.windy, rows.lanes);
+    StillWatch watch(step.windy, gains.stillM, rows.lanes);
     const Lanes length = coiledLength(rows.lanes);
     predict(gains, step, rows);
     const Lanes tension = restoreLengths(gains.nodes, length, watch.moving(), rows.p);

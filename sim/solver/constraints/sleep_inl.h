@@ -13,18 +13,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
 
-HWY_INLINE Yes departedFrom(const float* HWY_RESTRICT memory, const Lanes3& p)
+HWY_INLINE Yes departedFrom(const float* HWY_RESTRICT memory, const Lanes3& p, float stillM)
 {
     const Lanes3 displacement = p - loaded3(memory);
-    return !(dot(displacement, displacement) <= kStillM * kStillM);
+    return !(dot(displacement, displacement) <= stillM * stillM);
 }
 
 class StillWatch
 {
 public:
-    HWY_INLINE StillWatch(bool windy, const float* HWY_RESTRICT lanes)
-        : m_before(loaded(lanes + kStill * kLanes)), m_moving(m_before < (windy ? kUnwanted : kStillSteps)),
-          m_departed(noLane())
+    HWY_INLINE StillWatch(bool windy, float stillM, const float* HWY_RESTRICT lanes)
+        : m_stillM(stillM), m_before(loaded(lanes + kStill * kLanes)),
+          m_moving(m_before < (windy ? kUnwanted : kStillSteps)), m_departed(noLane())
     {}
 
     /// The strands that this step moves.
@@ -33,9 +33,9 @@ public:
     HWY_INLINE void see(int node, int nodes, const Lanes3& p, const float* HWY_RESTRICT lanes)
     {
         if (node == nodes / 2)
-            m_departed = m_departed | departedFrom(lanes + kMiddleX * kLanes, p);
+            m_departed = m_departed | departedFrom(lanes + kMiddleX * kLanes, p, m_stillM);
         if (node + 1 == nodes)
-            m_departed = m_departed | departedFrom(lanes + kTipX * kLanes, p);
+            m_departed = m_departed | departedFrom(lanes + kTipX * kLanes, p, m_stillM);
     }
 
     HWY_INLINE void finish(bool windy, int nodes, const float* HWY_RESTRICT next, float* HWY_RESTRICT lanes) const
@@ -56,6 +56,7 @@ private:
         stored3(select(m_departed, loaded3(position), loaded3(memory)), memory);
     }
 
+    float m_stillM;
     Lanes m_before;
     Yes m_moving, m_departed;
 };
