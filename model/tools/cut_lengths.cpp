@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace hairpaint::model {
@@ -15,8 +16,8 @@ namespace {
 
 constexpr float kSpacings = 2.0F; ///< Of roots: how far from one its texels may lie.
 constexpr float kLeastReachTx = 2.0F, kMostReachTx = 16.0F;
-constexpr int kSweeps = 24;
-constexpr float kErrorM = 2e-5F; ///< Of a hair's length; then the sweeps end.
+constexpr int kSweeps = 16;
+constexpr float kErrorM = 1e-4F; ///< Of a hair's length; then the sweeps end.
 constexpr float kLeastWeight = 1e-3F;
 
 } // namespace
@@ -55,6 +56,7 @@ CutLengths::CutLengths(const sim::GroupFrame& hair, sim::MapRaster shown) : m_sh
         m_rootOfSlot[slot] = root;
     }
     m_workOfTile.assign(tileCount, -1);
+    m_owners.resize(tileCount);
     m_reachTx.resize(tileCount);
     const int across = m_shown->tilesAcross();
     for (int tile = 0; tile < static_cast<int>(tileCount); ++tile) {
@@ -92,8 +94,11 @@ void CutLengths::cut(std::span<const StrandCut> cuts)
     std::ranges::sort(m_cutRoots);
     findTiles();
     sim::parallelFor(m_works.size(), 1, [this](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t i = begin; i < end; ++i) {
+            if (m_owners[static_cast<std::size_t>(m_works[i].tile)].empty())
+                findOwners(m_works[i].tile);
             divide(m_works[i]);
+        }
     });
     correct();
     sim::parallelFor(m_works.size(), 8, [this](std::size_t begin, std::size_t end) {
@@ -129,30 +134,22 @@ void CutLengths::findTiles()
     }
 }
 
-/// Finds the texels of a tile that the cuts change, and what each would be by its own root alone.
-void CutLengths::divide(Work& work) const
+/// Calls `use(tile)` for a tile and those beside it.
+template<typename Use>
+void forTilesAround(int tile, int across, const Use& use)
 {
-    const sim::TexelRect rect = m_shown->tileRect(work.tile);
-    const int across = m_shown->tilesAcross();
-    work.mask.fill(0);
-    work.wanted.assign(sim::kTileTexels, 0.0F);
-    work.values.resize(sim::kTileTexels);
-    std::array<float, sim::kTileTexels> squares; // NOLINT(cppcoreguidelines-pro-type-member-init): filled below.
-    std::array<float, sim::kTileTexels> kept;    // NOLINT(cppcoreguidelines-pro-type-member-init)
-    squares.fill(std::numeric_limits<float>::max());
-    kept.fill(1.0F);
-    const auto forRootsAround = [&](const auto& use) {
-        for (int y = std::max(work.tile / across - 1, 0); y <= std::min(work.tile / across + 1, across - 1); ++y)
-            for (int x = std::max(work.tile % across - 1, 0); x <= std::min(work.tile % across + 1, across - 1); ++x) {
-                const auto tile = static_cast<std::size_t>(y * across + x);
-                for (std::uint32_t root = m_firstOfTile[tile]; root < m_firstOfTile[tile + 1]; ++root)
-                    use(root, m_reachTx[tile]);
-            }
-    };
-    const auto texelAt = [&](int x, int y) {
-        return static_cast<std::size_t>(y - rect.y0) * kTile + static_cast<std::size_t>(x - rect.x0);
-    };
-    forRootsAround([&](std::uint32_t root, float reachTx) {
+    for (int y = std::max(tile / across - 1, 0); y <= std::min(tile / across + 1, across - 1); ++y)
+        for (int x = std::max(tile % across - 1, 0); x <= std::min(tile % across + 1, across - 1); ++x)
+            use(static_cast<std::size_t>(y * across + x));
+}
+
+void CutLengths::findOwners(int tile)
+{
+    const sim::TexelRect rect = m_shown->tileRect(tile);
+    std::vector<std::uint32_t>& owners = m_owners[static_cast<std::size_t>(tile)];
+    owners.assign(sim::kTileTexels, kNone);
+    std::vector<float> squares(sim::kTileTexels, std::numeric_limits<float>::max());
+    const auto spread = [&](std::uint32_t root, float reachTx) {
         const glm::vec2 at = m_roots[root].positionTx();
         const int y0 = std::max(static_cast<int>(std::ceil(at.y - reachTx)), rect.y0);
         const int y1 = std::min(static_cast<int>(std::floor(at.y + reachTx)), rect.y1 - 1);
@@ -161,17 +158,34 @@ void CutLengths::divide(Work& work) const
             const float half = std::sqrt(std::max(reachTx * reachTx - dy * dy, 0.0F));
             const int x0 = std::max(static_cast<int>(std::ceil(at.x - half)), rect.x0);
             const int x1 = std::min(static_cast<int>(std::floor(at.x + half)), rect.x1 - 1);
-            std::size_t texel = texelAt(x0, y);
-            for (int x = x0; x <= x1; ++x, ++texel) {
+            for (int x = x0; x <= x1; ++x) {
+                const std::size_t texel =
+                    static_cast<std::size_t>(y - rect.y0) * kTile + static_cast<std::size_t>(x - rect.x0);
                 const float dx = static_cast<float>(x) - at.x;
                 const float square = dx * dx + dy * dy;
                 if (square < squares[texel]) {
                     squares[texel] = square;
-                    kept[texel] = m_kept[root];
+                    owners[texel] = root;
                 }
             }
         }
+    };
+    forTilesAround(tile, m_shown->tilesAcross(), [&](std::size_t from) {
+        for (std::uint32_t root = m_firstOfTile[from]; root < m_firstOfTile[from + 1]; ++root)
+            spread(root, m_reachTx[from]);
     });
+}
+
+/// Finds the texels of a tile that the cuts change, and what each would be by its own root alone.
+void CutLengths::divide(Work& work) const
+{
+    const sim::TexelRect rect = m_shown->tileRect(work.tile);
+    const std::vector<std::uint32_t>& owners = m_owners[static_cast<std::size_t>(work.tile)];
+    std::vector<float>& kept = work.wanted; // First of all.
+    kept.resize(sim::kTileTexels);
+    work.values.resize(sim::kTileTexels);
+    for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel)
+        kept[texel] = owners[texel] == kNone ? 1.0F : m_kept[owners[texel]];
     const auto forRead = [&](std::uint32_t root, const auto& use) {
         const glm::ivec2 first = m_roots[root].first;
         const int last = m_shown->size() - 1;
@@ -179,23 +193,23 @@ void CutLengths::divide(Work& work) const
             const int x = std::min(first.x + k % 2, last);
             const int y = std::min(first.y + k / 2, last);
             if (x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1)
-                use(texelAt(x, y));
+                use(static_cast<std::size_t>(y - rect.y0) * kTile + static_cast<std::size_t>(x - rect.x0));
         }
     };
-    forRootsAround([&](std::uint32_t root, float /*reachTx*/) {
-        if (m_kept[root] < 1.0F)
-            forRead(root, [&](std::size_t texel) { kept[texel] = std::min(kept[texel], m_kept[root]); });
-    });
-    forRootsAround([&](std::uint32_t root, float /*reachTx*/) {
-        if (m_kept[root] == 1.0F)
-            forRead(root, [&](std::size_t texel) { kept[texel] = 1.0F; });
-    });
+    for (const bool isCut : {true, false})
+        forTilesAround(work.tile, m_shown->tilesAcross(), [&](std::size_t from) {
+            for (std::uint32_t root = m_firstOfTile[from]; root < m_firstOfTile[from + 1]; ++root)
+                if ((m_kept[root] < 1.0F) == isCut)
+                    forRead(root, [&](std::size_t texel) {
+                        kept[texel] = isCut ? std::min(kept[texel], m_kept[root]) : 1.0F;
+                    });
+        });
     std::size_t texel = 0;
     for (int y = rect.y0; y < rect.y1; ++y)
         for (int x = rect.x0; x < rect.x1; ++x, ++texel) {
             const auto before = static_cast<float>(m_shown->texel(x, y)[0]);
-            work.wanted[texel] = kept[texel] < 1.0F ? cutValue(before, kept[texel]) : before;
             work.mask[texel] = kept[texel] < 1.0F ? 65535 : 0;
+            work.wanted[texel] = kept[texel] < 1.0F ? cutValue(before, kept[texel]) : before;
         }
 }
 

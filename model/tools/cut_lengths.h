@@ -60,6 +60,7 @@ private:
     }
     [[nodiscard]] float cutValue(float value, float kept) const;
     void findTiles();
+    void findOwners(int tile);
     void divide(Work& work) const;
     void correct();
 
@@ -71,6 +72,8 @@ private:
     std::vector<std::uint32_t> m_rootOfSlot;
     std::vector<float> m_kept;             ///< By root; 1: not cut.
     std::vector<std::uint32_t> m_cutRoots; ///< In ascending order.
+    /// [tiles][64][64]: the nearest root, or kNone; empty where no cut has been near.
+    std::vector<std::vector<std::uint32_t>> m_owners;
     std::vector<int> m_tiles;
     std::vector<int> m_workOfTile; ///< -1: none.
     std::vector<Work> m_works;

@@ -3,6 +3,7 @@
 #include "model/tools/live_edit.h"
 #include "model/tools/mirrored_roots.h"
 #include "model/tools/seen_hair.h"
+#include "model/tools/strand_lengths.h"
 #include "model/tools/tool_list.h"
 #include "sim/base/deterministic.h"
 
@@ -47,6 +48,7 @@ constexpr std::array kScissorsOptions{&kCutKind, &kCutFraction, &kCutRagged, &kC
 
 constexpr std::uint64_t kTakenKey = 0x7468696EU; ///< Apart from other uses of the seed.
 constexpr std::uint64_t kRaggedKey = 0x72616767U;
+constexpr float kSameM = 1e-4F;  ///< Less is not cut off.
 constexpr double kStepPx = 3.0;  ///< Between points of a line that is drawn.
 constexpr double kClickPx = 4.0; ///< A press that moves less cuts nothing.
 
@@ -120,12 +122,15 @@ private:
     void draw(const PictureEvent& event);
     [[nodiscard]] std::vector<StrandCut> cuts(const ToolSettings& settings) const;
     void mirror(std::vector<StrandCut>& cuts) const;
+    void takePresent(std::vector<StrandCut>& cuts);
     void show();
     void drop();
 
     LiveEdit m_edit; ///< Of the length layer.
     std::shared_ptr<const SeenHair> m_seen;
-    std::vector<std::uint32_t> m_mirrored; ///< mirroredRoots(); empty where no other side is cut.
+    std::vector<std::uint32_t> m_mirrored;  ///< mirroredRoots(); empty where no other side is cut.
+    std::optional<StrandLengths> m_present; ///< Before this cut.
+    std::vector<float> m_presentM;          ///< What it gave, by slot; below 0: not asked for yet.
     std::optional<CutLengths> m_lengths;
     CutKind m_kind = CutKind::Line;
     QPolygonF m_line;
@@ -145,6 +150,8 @@ void ScissorsTool::pressPicture(const PictureEvent& event, ToolContext& context)
     const sim::GroupFrame* hair = m_seen->hair();
     if (hair == nullptr)
         return;
+    m_present.emplace(context.document, context.target.group);
+    m_presentM.assign(hair->groom->roots->count(), -1.0F);
     m_lengths.emplace(*hair, std::move(length));
     if (context.mirror)
         m_mirrored = mirroredRoots(*hair);
@@ -160,6 +167,7 @@ void ScissorsTool::movePicture(const PictureEvent& event, ToolContext& context)
     std::vector<StrandCut> found = cuts(context.settings);
     if (!m_mirrored.empty())
         mirror(found);
+    takePresent(found);
     m_lengths->cut(found);
     show();
 }
@@ -222,6 +230,21 @@ void ScissorsTool::mirror(std::vector<StrandCut>& cuts) const
     }
 }
 
+/// From fractions of the hair that was seen to such of the hair that the maps now tell: it may have been cut since.
+void ScissorsTool::takePresent(std::vector<StrandCut>& cuts)
+{
+    const sim::Groom& groom = *m_seen->hair()->groom;
+    std::erase_if(cuts, [&](StrandCut& one) {
+        const sim::StrandStyle& seen = groom.style(one.slot);
+        float& presentM = m_presentM[one.slot];
+        if (presentM < 0.0F)
+            presentM = seen.braid == sim::BraidKind::None ? m_present->at(*groom.roots, one.slot) : seen.lengthM;
+        const float keptM = one.kept * seen.lengthM;
+        one.kept = keptM / std::max(presentM, kSameM);
+        return keptM > presentM - kSameM;
+    });
+}
+
 void ScissorsTool::show()
 {
     m_edit.replace(m_lengths->tiles(), [this](int index, const sim::RasterTilePtr& before) {
@@ -234,6 +257,7 @@ void ScissorsTool::show()
 void ScissorsTool::drop()
 {
     m_seen.reset();
+    m_present.reset();
     m_lengths.reset();
     m_mirrored.clear();
     m_line.clear();

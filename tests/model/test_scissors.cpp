@@ -296,6 +296,22 @@ private Q_SLOTS:
         barber.scissors().cancel(now);
     }
 
+    void hairThatIsShorterAlreadyThanItIsSeenIsCutAtTheSamePoint()
+    {
+        Barber barber;
+        const QPointF higher = QPointF(-20.0, 0.0);
+        const std::vector<SeenStrand> crossed = barber.view.crossing(std::array{kFrom, kTo}, false);
+        // The picture still shows hair that has not been cut.
+        barber.cut(kFrom + higher, kTo + higher);
+        barber.cut(kFrom, kTo);
+        for (const SeenStrand& strand : crossed)
+            QVERIFY(std::abs(barber.kept(strand.slot) - strand.fraction) * 0.12F < 0.0005F);
+        const auto twice = barber.shown();
+        barber.cut(kFrom + higher, kTo + higher);
+        QVERIFY(*barber.shown() == *twice);
+        QCOMPARE(barber.document.undoStack().count(), 2);
+    }
+
     void withoutAPictureOrWithALockedLayerNothingIsCut()
     {
         Barber barber;
