@@ -1,5 +1,6 @@
 // Scissors: hair is cut where a line over the picture of the 3D area crosses it, or inside a lasso.
 #include "model/tools/cut_lengths.h"
+#include "model/tools/cut_pieces.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirrored_roots.h"
 #include "model/tools/seen_hair.h"
@@ -48,9 +49,10 @@ constexpr std::array kScissorsOptions{&kCutKind, &kCutFraction, &kCutRagged, &kC
 
 constexpr std::uint64_t kTakenKey = 0x7468696EU; ///< Apart from other uses of the seed.
 constexpr std::uint64_t kRaggedKey = 0x72616767U;
-constexpr float kSameM = 1e-4F;  ///< Less is not cut off.
-constexpr double kStepPx = 3.0;  ///< Between points of a line that is drawn.
-constexpr double kClickPx = 4.0; ///< A press that moves less cuts nothing.
+constexpr float kSameM = 1e-4F;           ///< Less is not cut off.
+constexpr std::size_t kMostPieces = 1500; ///< That are seen to fall.
+constexpr double kStepPx = 3.0;           ///< Between points of a line that is drawn.
+constexpr double kClickPx = 4.0;          ///< A press that moves less cuts nothing.
 
 constexpr ToolTraits kScissors{
     .id = ToolId::Scissors,
@@ -91,6 +93,8 @@ public:
         return active() ? PictureLine{.line = m_line, .closed = m_kind == CutKind::Lasso} : PictureLine{};
     }
 
+    [[nodiscard]] std::vector<CutPiece> takeCutOff() override { return std::exchange(m_cutOff, {}); }
+
     // On the skin, and in the paint area, there is nothing to cut.
     void press(const ToolEvent& /*event*/, ToolContext& /*context*/) override {}
     void move(const ToolEvent& /*event*/, ToolContext& /*context*/) override {}
@@ -103,6 +107,8 @@ public:
     }
     void commit(ToolContext& /*context*/) override
     {
+        if (active() && m_lengths)
+            m_cutOff = cutPieces(*m_seen->hair(), m_cuts, kMostPieces);
         m_edit.commit();
         drop();
     }
@@ -132,6 +138,8 @@ private:
     std::optional<StrandLengths> m_present; ///< Before this cut.
     std::vector<float> m_presentM;          ///< What it gave, by slot; below 0: not asked for yet.
     std::optional<CutLengths> m_lengths;
+    std::vector<StrandCut> m_cuts; ///< Of the hair that was seen.
+    std::vector<CutPiece> m_cutOff;
     CutKind m_kind = CutKind::Line;
     QPolygonF m_line;
 };
@@ -167,6 +175,7 @@ void ScissorsTool::movePicture(const PictureEvent& event, ToolContext& context)
     std::vector<StrandCut> found = cuts(context.settings);
     if (!m_mirrored.empty())
         mirror(found);
+    m_cuts = found;
     takePresent(found);
     m_lengths->cut(found);
     show();
@@ -260,6 +269,7 @@ void ScissorsTool::drop()
     m_present.reset();
     m_lengths.reset();
     m_mirrored.clear();
+    m_cuts.clear();
     m_line.clear();
 }
 

@@ -95,6 +95,7 @@ enum class ToolId : std::uint8_t
 };
 class Selection;
 class SeenHair;
+struct CutPiece;
 
 /// What tools work with; owned by the app, passed in.
 struct ToolContext
@@ -200,6 +201,8 @@ public:
     [[nodiscard]] virtual PictureHandler* pictureHandler() { return nullptr; }
     /// What it has drawn there.
     [[nodiscard]] virtual PictureLine pictureLine() const { return {}; }
+    /// What the last action has cut off; given once.
+    [[nodiscard]] virtual std::vector<CutPiece> takeCutOff();
     /// A key pressed while the tool is in use; false leaves it to others.
     virtual bool key(Qt::Key /*key*/, Qt::KeyboardModifiers /*modifiers*/, ToolContext& /*context*/) { return false; }
     /// The settings have changed: brings the running action up to date with them.

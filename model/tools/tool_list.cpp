@@ -1,6 +1,8 @@
 // The tools, in tool-bar order.
 #include "model/tools/tool_list.h"
 
+#include "model/tools/cut_pieces.h"
+
 namespace hairpaint::model {
 
 LayerAddress ToolContext::layer(MapKind map) const
@@ -14,6 +16,11 @@ LayerAddress ToolContext::layer(MapKind map) const
              group != nullptr && !group->map(map).layers.empty())
         address.layer = group->map(map).layers.back().id;
     return address;
+}
+
+std::vector<CutPiece> Tool::takeCutOff()
+{
+    return {};
 }
 
 std::vector<std::unique_ptr<Tool>> makeTools()

@@ -284,6 +284,8 @@ void ToolBox::release(const model::PictureEvent& event)
         return;
     withTool([&](model::Tool&, model::ToolContext& toolContext) { hand->releasePicture(event, toolContext); });
     Q_EMIT overlayChanged();
+    if (const std::vector<model::CutPiece> pieces = active().takeCutOff(); !pieces.empty())
+        Q_EMIT hairCutOff(pieces);
 }
 
 void ToolBox::hover(const std::optional<model::ToolEvent>& event)

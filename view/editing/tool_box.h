@@ -1,6 +1,7 @@
 // Which tool works, with which settings, and the stroke that it makes.
 #pragma once
 
+#include "model/tools/cut_pieces.h"
 #include "model/tools/selection.h"
 #include "model/tools/tool.h"
 #include "model/tools/value_amounts.h"
@@ -80,6 +81,7 @@ public:
 Q_SIGNALS:
     void activeChanged();
     void settingsChanged();
+    void hairCutOff(const std::vector<hairpaint::model::CutPiece>& pieces);
     void overlayChanged(); ///< The active tool's overlay or the selection.
     void refused(const QString& reason);
     void told(const QString& text); ///< What the user should know and did not ask for.

@@ -94,6 +94,14 @@ void HeadOverlay::setPictureLine(model::PictureLine line)
     showIfNeeded();
 }
 
+void HeadOverlay::setFalling(std::vector<FallingLine> falling)
+{
+    if (falling.empty() && m_falling.empty())
+        return;
+    m_falling = std::move(falling);
+    showIfNeeded();
+}
+
 void HeadOverlay::setWorn(const std::vector<model::Worn>& worn, model::Id chosen, const rendering::Camera& camera,
                           const sim::HeadPose& pose)
 {
@@ -154,7 +162,7 @@ void HeadOverlay::setDirectionsFaded(bool faded)
 void HeadOverlay::showIfNeeded()
 {
     setVisible(!m_directions.empty() || !m_lines.empty() || !m_handles.isEmpty() || !m_ghost.isEmpty() ||
-               !m_wornOutlines.empty() || m_pictureLine.line.size() > 1);
+               !m_wornOutlines.empty() || m_pictureLine.line.size() > 1 || !m_falling.empty());
     update();
 }
 
@@ -166,6 +174,10 @@ void HeadOverlay::paintEvent(QPaintEvent*)
         painter.setOpacity(m_fading.currentValue().toDouble());
         painter.drawImage(QPointF(), m_directionsPicture);
         painter.setOpacity(1.0);
+    }
+    for (const FallingLine& hair : m_falling) {
+        painter.setPen(QPen(hair.colour, 1.0));
+        painter.drawPolyline(hair.line);
     }
     for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 110), 2.5), std::pair(m_theme.accent, 1.0)}) {
         painter.setPen(QPen(colour, width));

@@ -2,6 +2,7 @@
 #include "view/head_area/head_view.h"
 
 #include "view/editing/editor_state.h"
+#include "view/head_area/falling_hair.h"
 #include "view/head_area/frame_pacer.h"
 #include "view/head_area/frame_presenter.h"
 #include "view/head_area/gl_presenter.h"
@@ -29,7 +30,7 @@ namespace hairpaint::view {
 HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choice, QWidget* parent)
     : PaintedArea(state, parent), m_state(state), m_overlay(new HeadOverlay(theme, this)),
       m_weather(new WeatherOverlay(theme, this)), m_signs(new ViewSigns(this)), m_turn(new HeadTurn(this)),
-      m_scene(std::make_unique<HeadScene>(state, *m_turn, *this)),
+      m_falling(new FallingHair(this)), m_scene(std::make_unique<HeadScene>(state, *m_turn, *this)),
       m_pointer(std::make_unique<HeadPointer>(state, *m_scene, *m_turn, *this)),
       m_pacer(std::make_unique<FramePacer>()),
       m_directions(std::make_unique<ShownDirections>(state, *m_overlay, [this] { return shown(); })),
@@ -74,6 +75,10 @@ void HeadView::connectParts()
         refreshOverlay();
     });
     connect(&m_state.tools(), &ToolBox::overlayChanged, this, &HeadView::refreshOverlay);
+
+    connect(&m_state.tools(), &ToolBox::hairCutOff, m_falling, &FallingHair::start);
+    connect(m_falling, &FallingHair::moved, this,
+            [this] { m_overlay->setFalling(m_falling->seen(shown().camera, QSizeF(size()))); });
 
     connect(m_turn, &HeadTurn::poseWanted, this, &HeadView::poseWanted);
     connect(m_pointer.get(), &HeadPointer::cameraWanted, this, &HeadView::setCamera);

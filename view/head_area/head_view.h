@@ -29,6 +29,7 @@ class FramePresenter;
 class HeadOverlay;
 class HeadPointer;
 class HeadScene;
+class FallingHair;
 class HeadTurn;
 class ShownDirections;
 class ViewSigns;
@@ -140,6 +141,7 @@ private:
     ViewSigns* m_signs;
     FramePresenter* m_presenter = nullptr; ///< A child.
     HeadTurn* m_turn;                      ///< A child.
+    FallingHair* m_falling;                ///< A child.
 
     std::unique_ptr<HeadScene> m_scene;
     std::unique_ptr<HeadPointer> m_pointer;
