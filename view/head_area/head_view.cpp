@@ -40,6 +40,7 @@ HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choic
       })
 {
     setObjectName(QStringLiteral("headArea"));
+    m_state.tools().setSeen(&m_scene->seen());
     setMinimumSize(160, 160);
     m_weather->hide();
     connectParts();
@@ -53,6 +54,7 @@ HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choic
 
 HeadView::~HeadView()
 {
+    m_state.tools().setSeen(nullptr);
     // Its thread and its context end before what it reports to.
     delete m_presenter;
 }
