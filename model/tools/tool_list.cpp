@@ -1,6 +1,8 @@
 // The tools, in tool-bar order.
 #include "model/tools/tool_list.h"
 
+#include "model/tools/cut_pieces.h"
+
 namespace hairpaint::model {
 
 LayerAddress ToolContext::layer(MapKind map) const
@@ -16,6 +18,11 @@ LayerAddress ToolContext::layer(MapKind map) const
     return address;
 }
 
+std::vector<CutPiece> Tool::takeCutOff()
+{
+    return {};
+}
+
 std::vector<std::unique_ptr<Tool>> makeTools()
 {
     std::vector<std::unique_ptr<Tool>> tools;
@@ -24,6 +31,7 @@ std::vector<std::unique_ptr<Tool>> makeTools()
     tools.push_back(makeCombTool());
     tools.push_back(makePartTool());
     tools.push_back(makeGrabTool());
+    tools.push_back(makeScissorsTool());
     tools.push_back(makeGradientTool());
     tools.push_back(makeFillTool());
     tools.push_back(makeShapeTool());

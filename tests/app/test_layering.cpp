@@ -61,11 +61,12 @@ constexpr Room kRooms[] = {
     {"model", "importing", "values project files"},
 
     {"view", "rendering", ""},
+    {"view", "picking", "rendering"},
     {"view", "look", ""},
     {"view", "editing", "look"},
     {"view", "widgets", "look editing"},
     {"view", "paint_area", "look editing"},
-    {"view", "head_area", "rendering look editing"},
+    {"view", "head_area", "rendering picking look editing"},
     {"view", "panels", "look editing widgets"},
     {"view", "dialogs", "rendering look editing widgets paint_area head_area"},
 

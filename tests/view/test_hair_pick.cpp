@@ -3,7 +3,7 @@
 #include "sim/groom/direction_texel.h"
 #include "sim/skin/skin_frame.h"
 #include "tests/support/test_program.h"
-#include "view/head_area/hair_pick.h"
+#include "view/picking/hair_pick.h"
 
 #include <QTest>
 

@@ -1,6 +1,7 @@
 // Which tool works, with which settings, and the stroke that it makes.
 #pragma once
 
+#include "model/tools/cut_pieces.h"
 #include "model/tools/selection.h"
 #include "model/tools/tool.h"
 #include "model/tools/value_amounts.h"
@@ -47,6 +48,8 @@ public:
 
     /// The newest hair that is drawn, for tools that ask how it lies.
     void setHair(std::shared_ptr<const sim::StrandFrame> hair) { m_hair = std::move(hair); }
+    /// The 3D area's picture; null: there is none. Must outlive this, or be taken back.
+    void setSeen(const model::SeenHair* seen) { m_seen = seen; }
 
     /// Whether these maps of the active group can be painted on; where not, refused() says why.
     bool mayPaint(std::initializer_list<model::MapKind> maps);
@@ -59,6 +62,10 @@ public:
     void press(const model::HairEvent& event);
     void move(const model::HairEvent& event);
     void release(const model::HairEvent& event);
+    /// The same over the 3D area's picture, where the active tool draws over it.
+    void press(const model::PictureEvent& event);
+    void move(const model::PictureEvent& event);
+    void release(const model::PictureEvent& event);
     /// The pointer moves with no button down; none: it left.
     void hover(const std::optional<model::ToolEvent>& event);
     /// A key pressed over either area: Esc and Enter end what runs, others are the active tool's. False: not ours.
@@ -74,6 +81,7 @@ public:
 Q_SIGNALS:
     void activeChanged();
     void settingsChanged();
+    void hairCutOff(const std::vector<hairpaint::model::CutPiece>& pieces);
     void overlayChanged(); ///< The active tool's overlay or the selection.
     void refused(const QString& reason);
     void told(const QString& text); ///< What the user should know and did not ask for.
@@ -106,6 +114,7 @@ private:
     model::ValueAmounts m_amounts;
     model::Selection m_selection;
     std::shared_ptr<const sim::StrandFrame> m_hair;
+    const model::SeenHair* m_seen = nullptr;
 };
 
 } // namespace hairpaint::view

@@ -18,6 +18,9 @@ HeadCover::HeadCover(EditorState& editor, const HeadScene& scene, const Theme& t
       m_directions(editor, *m_overlay, [this] { return shown(); })
 {
     m_weather->hide();
+    QObject::connect(&m_editor.tools(), &ToolBox::hairCutOff, &m_falling, &FallingHair::start);
+    QObject::connect(&m_falling, &FallingHair::moved, m_overlay,
+                     [this] { m_overlay->setFalling(m_falling.seen(shown().camera, QSizeF(m_area.size()))); });
 }
 
 void HeadCover::setTheme(const Theme& theme)
@@ -44,6 +47,7 @@ void HeadCover::refresh()
 {
     const Sight sight = shown();
     m_overlay->setShapes(m_editor.tools().overlay(), m_scene.skin(), sight.camera, sight.pose);
+    m_overlay->setPictureLine(m_editor.tools().active().pictureLine());
     m_overlay->setWorn(outlinedWorn(m_editor), m_editor.options().chosenWorn(), sight.camera, sight.pose);
     refreshRing();
     m_directions.refreshSoon();

@@ -1,6 +1,7 @@
 // What lies over the pictures of the 3D area, and where in it all of that stands.
 #pragma once
 
+#include "view/head_area/falling_hair.h"
 #include "view/head_area/shot.h"
 #include "view/head_area/shown_directions.h"
 #include "view/look/theme.h"
@@ -47,6 +48,7 @@ private:
     WeatherOverlay* m_weather;
     ViewSigns* m_signs;
     ShownDirections m_directions;
+    FallingHair m_falling;
     std::optional<Sight> m_shown; ///< None before the first picture.
 };
 

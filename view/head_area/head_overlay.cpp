@@ -86,6 +86,22 @@ void HeadOverlay::setShapes(const std::vector<model::OverlayShape>& shapes, cons
     showIfNeeded();
 }
 
+void HeadOverlay::setPictureLine(model::PictureLine line)
+{
+    if (line.line == m_pictureLine.line && line.closed == m_pictureLine.closed)
+        return;
+    m_pictureLine = std::move(line);
+    showIfNeeded();
+}
+
+void HeadOverlay::setFalling(std::vector<FallingLine> falling)
+{
+    if (falling.empty() && m_falling.empty())
+        return;
+    m_falling = std::move(falling);
+    showIfNeeded();
+}
+
 void HeadOverlay::setWorn(const std::vector<model::Worn>& worn, model::Id chosen, const rendering::Camera& camera,
                           const sim::HeadPose& pose)
 {
@@ -146,7 +162,7 @@ void HeadOverlay::setDirectionsFaded(bool faded)
 void HeadOverlay::showIfNeeded()
 {
     setVisible(!m_directions.empty() || !m_lines.empty() || !m_handles.isEmpty() || !m_ghost.isEmpty() ||
-               !m_wornOutlines.empty());
+               !m_wornOutlines.empty() || m_pictureLine.line.size() > 1 || !m_falling.empty());
     update();
 }
 
@@ -158,6 +174,10 @@ void HeadOverlay::paintEvent(QPaintEvent*)
         painter.setOpacity(m_fading.currentValue().toDouble());
         painter.drawImage(QPointF(), m_directionsPicture);
         painter.setOpacity(1.0);
+    }
+    for (const FallingLine& hair : m_falling) {
+        painter.setPen(QPen(hair.colour, 1.0));
+        painter.drawPolyline(hair.line);
     }
     for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 110), 2.5), std::pair(m_theme.accent, 1.0)}) {
         painter.setPen(QPen(colour, width));
@@ -178,6 +198,10 @@ void HeadOverlay::paintEvent(QPaintEvent*)
         painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         for (const QPolygonF& line : m_lines)
             painter.drawPolyline(line);
+        if (m_pictureLine.closed)
+            painter.drawPolygon(m_pictureLine.line);
+        else
+            painter.drawPolyline(m_pictureLine.line);
     }
     painter.setPen(QPen(QColor(0, 0, 0, 190), 1.0));
     painter.setBrush(QColor(255, 255, 255, 235));

@@ -4,6 +4,7 @@
 
 #include "model/project/worn.h"
 #include "model/tools/tool.h"
+#include "view/head_area/falling_hair.h"
 #include "view/look/tapered_hair.h"
 #include "view/look/theme.h"
 #include "view/rendering/scene.h"
@@ -27,6 +28,14 @@ public:
     /// Outlines on the uv as they lie on the skin; parts that face away are left out.
     void setShapes(const std::vector<model::OverlayShape>& shapes, const sim::Skin* skin,
                    const rendering::Camera& camera, const sim::HeadPose& pose);
+
+    /// What a tool draws over the picture itself, in this widget's coordinates.
+    void setPictureLine(model::PictureLine line);
+    [[nodiscard]] const model::PictureLine& pictureLine() const { return m_pictureLine; }
+
+    /// Cut hair, under every outline.
+    void setFalling(std::vector<FallingLine> falling);
+    [[nodiscard]] const std::vector<FallingLine>& falling() const { return m_falling; }
 
     /// Three ellipses for each, as wire: the far half is seen, too; the chosen one stands out, with its axes' ends.
     /// None: nothing is shown.
@@ -55,6 +64,8 @@ private:
     Theme m_theme;
     std::vector<QPolygonF> m_lines; ///< In this widget's coordinates, as the next two.
     QPolygonF m_handles;
+    model::PictureLine m_pictureLine;
+    std::vector<FallingLine> m_falling;
     std::vector<QPolygonF> m_wornOutlines;
     std::vector<QPolygonF> m_chosen; ///< The chosen one's ellipses among them,
     QPolygonF m_chosenEnds;          ///< and the ends of its axes.

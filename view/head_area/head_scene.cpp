@@ -2,11 +2,11 @@
 #include "view/head_area/head_scene.h"
 
 #include "view/editing/editor_state.h"
-#include "view/head_area/hair_pick.h"
 #include "view/head_area/head_camera.h"
 #include "view/head_area/head_turn.h"
 #include "view/head_area/scene_light.h"
 #include "view/head_area/stage.h"
+#include "view/picking/hair_pick.h"
 
 #include <QWidget>
 
@@ -25,7 +25,7 @@ rendering::Ring ringAt(const sim::SurfacePoint& point, float radiusM)
 } // namespace
 
 HeadScene::HeadScene(EditorState& editor, const HeadTurn& turn, const QWidget& area)
-    : m_editor(editor), m_turn(turn), m_area(area)
+    : m_editor(editor), m_turn(turn), m_area(area), m_seen([this] { return pictureSource(); })
 {}
 
 rendering::Scene HeadScene::withoutRings() const
@@ -162,6 +162,17 @@ std::optional<model::GrabbedHair> HeadScene::hairAt(QPointF position) const
             glm::dot(inWorld(skin->positionHd, shownPose()) - eyeWo, glm::normalize(m_scene.camera.targetWo - eyeWo));
     return hairNear(position, *m_scene.hair, m_editor.target().group(), m_scene.camera, QSizeF(m_area.size()),
                     furthestM);
+}
+
+PictureSource HeadScene::pictureSource() const
+{
+    const std::shared_ptr<const model::Head>& head = m_editor.document().project().head;
+    const bool shows = m_scene.hair && !m_scene.cards && isOnHead(*m_scene.hair);
+    return {.frame = shows ? m_scene.hair : nullptr,
+            .group = m_editor.target().group(),
+            .camera = m_scene.camera,
+            .size = m_area.size(),
+            .skin = head ? head->skin : nullptr};
 }
 
 glm::vec3 HeadScene::besideHd(glm::vec3 positionHd, QPointF position) const

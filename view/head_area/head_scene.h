@@ -5,6 +5,7 @@
 #include "model/tools/tool.h"
 #include "sim/motion/strand_frame.h"
 #include "sim/skin/skin.h"
+#include "view/picking/strand_pick.h"
 #include "view/rendering/scene.h"
 #include "view/rendering/standard_views.h"
 
@@ -70,17 +71,22 @@ public:
     [[nodiscard]] float pixelAt(const sim::SurfacePoint& point) const;
     /// The active group's hair that a position of the area shows; none where none is near.
     [[nodiscard]] std::optional<model::GrabbedHair> hairAt(QPointF position) const;
+    /// The active group's hair as the area shows it.
+    [[nodiscard]] const model::SeenHair& seen() const { return m_seen; }
     /// Where a position of the area lies that is as far away as a point of the head.
     [[nodiscard]] glm::vec3 besideHd(glm::vec3 positionHd, QPointF position) const;
     /// Where a point of the head lies in the area; none behind the eye.
     [[nodiscard]] std::optional<QPointF> positionOf(glm::vec3 positionHd) const;
 
 private:
+    [[nodiscard]] PictureSource pictureSource() const;
+
     EditorState& m_editor;
     const HeadTurn& m_turn;
     const QWidget& m_area;
     rendering::Scene m_scene;
     std::optional<sim::SurfacePoint> m_brush; ///< Where it was last.
+    StrandPick m_seen;
 };
 
 } // namespace hairpaint::view

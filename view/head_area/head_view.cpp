@@ -33,6 +33,7 @@ HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choic
       })
 {
     setObjectName(QStringLiteral("headArea"));
+    m_state.tools().setSeen(&m_scene->seen());
     setMinimumSize(160, 160);
     connectParts();
 
@@ -45,6 +46,7 @@ HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choic
 
 HeadView::~HeadView()
 {
+    m_state.tools().setSeen(nullptr);
     // What they report to is there until they end.
     m_frames.reset();
 }

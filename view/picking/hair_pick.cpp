@@ -1,7 +1,8 @@
 // Every segment of every drawn hair, as the camera sees it.
-#include "view/head_area/hair_pick.h"
+#include "view/picking/hair_pick.h"
 
 #include "sim/base/parallel.h"
+#include "view/picking/picture_hair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,30 +14,6 @@ namespace {
 
 constexpr std::size_t kSlotsAtOnce = 4096;
 constexpr float kBehindMPerPx = 0.001F;
-constexpr float kHiddenM = 0.004F; ///< Hair lies on the skin that hides what is behind it.
-
-/// x, y: px of the view; z: distance from the eye along its view, m.
-class Lens
-{
-public:
-    Lens(const rendering::Camera& camera, QSizeF size)
-        : m_view(camera.view()),
-          m_half(0.5F * static_cast<float>(size.width()), 0.5F * static_cast<float>(size.height())),
-          m_px(m_half.y / std::tan(camera.fieldOfViewRad / 2.0F))
-    {}
-    [[nodiscard]] glm::vec3 seen(glm::vec3 positionWo) const
-    {
-        const glm::vec4 inView = m_view * glm::vec4(positionWo, 1.0F);
-        const float depth = -inView.z;
-        const float scale = m_px / std::max(depth, 1e-4F);
-        return {m_half.x + inView.x * scale, m_half.y - inView.y * scale, depth};
-    }
-
-private:
-    glm::mat4 m_view;
-    glm::vec2 m_half;
-    float m_px;
-};
 
 struct Best
 {
@@ -98,7 +75,7 @@ std::optional<model::GrabbedHair> hairNear(QPointF position, const sim::StrandFr
     const Wanted wanted{.group = *found,
                         .lens = Lens(camera, size),
                         .pointer = {static_cast<float>(position.x()), static_cast<float>(position.y())},
-                        .depthLimitM = furthestM + kHiddenM};
+                        .depthLimitM = furthestM + kOnSkinM};
     const std::size_t slots = groom.roots->count();
     std::vector<Best> parts((slots + kSlotsAtOnce - 1) / kSlotsAtOnce);
     sim::parallelFor(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -117,10 +94,7 @@ std::optional<model::GrabbedHair> hairNear(QPointF position, const sim::StrandFr
     hair.alongM = std::max(hair.alongM + glm::length(way) * best.fraction, 1e-4F);
     const glm::vec3 positionWo = nodes[best.segment - 1] + way * best.fraction;
     hair.positionHd = glm::conjugate(frame.pose.rotation) * (positionWo - frame.pose.positionWo);
-    const std::optional<sim::SurfacePoint> root = groom.roots->skin->atUv(groom.roots->uv[best.slot]);
-    if (!root)
-        return std::nullopt;
-    hair.root = *root;
+    hair.root = rootOf(*groom.roots, static_cast<std::uint32_t>(best.slot));
     return hair;
 }
 

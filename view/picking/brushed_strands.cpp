@@ -1,0 +1,202 @@
+// Blocks, then strands, then their segments; what other hair or the skin hides is left out last.
+#include "view/picking/brushed_strands.h"
+
+#include "sim/base/parallel.h"
+#include "view/picking/front_hair.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <optional>
+
+namespace hairpaint::view {
+
+using model::SeenStrand;
+
+namespace {
+
+constexpr std::size_t kBlocksATask = 64;
+constexpr float kLeastCellPx = 2.0F;
+constexpr float kCellsAcross = 24.0F;  ///< The brush.
+constexpr float kBesideBrushPx = 8.0F; ///< Hair so near to it is looked at, too: a curl may reach in.
+
+/// A segment of a skeleton that lies under the brush.
+struct Touch
+{
+    std::uint32_t slot;
+    std::uint32_t node; ///< At its end.
+    float fraction;     ///< Of the segment, where it is nearest.
+    float apartPx;      ///< From the brush's middle there,
+    float strayPx;      ///< and how far the curve may be from it.
+    glm::vec3 seen;     ///< px, depth.
+};
+
+struct Nearest
+{
+    float fraction = 0.0F; ///< Of the first segment.
+    float apart = 0.0F;
+};
+
+float fractionNear(glm::vec2 point, glm::vec2 from, glm::vec2 to)
+{
+    const glm::vec2 way = to - from;
+    const float square = glm::dot(way, way);
+    return square > 0.0F ? std::clamp(glm::dot(point - from, way) / square, 0.0F, 1.0F) : 0.0F;
+}
+
+/// Of a segment a-b the point nearest to the segment c-d.
+Nearest nearestOf(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d)
+{
+    const auto apartAt = [&](float fraction) {
+        const glm::vec2 point = a + (b - a) * fraction;
+        return glm::distance(point, c + (d - c) * fractionNear(point, c, d));
+    };
+    const glm::vec2 way = b - a;
+    const glm::vec2 other = d - c;
+    const float area = way.x * other.y - way.y * other.x;
+    if (std::abs(area) > 1e-9F) {
+        const glm::vec2 apart = c - a;
+        const float along = (apart.x * other.y - apart.y * other.x) / area;
+        const float alongOther = (apart.x * way.y - apart.y * way.x) / area;
+        if (along >= 0.0F && along <= 1.0F && alongOther >= 0.0F && alongOther <= 1.0F)
+            return {.fraction = along, .apart = 0.0F};
+    }
+    Nearest best{.fraction = 0.0F, .apart = apartAt(0.0F)};
+    for (const float fraction : {1.0F, fractionNear(c, a, b), fractionNear(d, a, b)})
+        if (const float apart = apartAt(fraction); apart < best.apart)
+            best = {.fraction = fraction, .apart = apart};
+    return best;
+}
+
+/// By strands, root first.
+void touchBlock(const PictureHair& picture, std::size_t index, const PictureBrush& brush, std::vector<Touch>& touches,
+                FrontHair& front)
+{
+    const HairBoxes::Block& block = picture.boxes.blocks[index];
+    const sim::Groom& groom = *picture.hair->groom;
+    const auto nodes = static_cast<std::size_t>(groom.nodes);
+    const float* node = picture.hair->positions.data() + groom.blocks().index(groom.frameStrand(block.firstSlot), 0);
+    std::vector<bool> spanMeets(picture.boxes.spans);
+    std::vector<std::array<float, 3 * kPickLanes>> seen(nodes);
+    for (std::size_t span = 0; span < picture.boxes.spans; ++span) {
+        const bool meets = picture.boxes.boxes[index * picture.boxes.spans + span].meets(brush.box);
+        spanMeets[span] = meets;
+        const std::size_t first = span * HairBoxes::kSpan;
+        for (std::size_t n = first; meets && n <= std::min(first + HairBoxes::kSpan, nodes - 1); ++n)
+            picture.lens.seen(node + n * sim::StrandBlocks::kNodeStride, seen[n].data());
+    }
+    for (std::uint32_t lanes = block.lanes; lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+        const auto slot = static_cast<std::uint32_t>(block.firstSlot + lane);
+        const float stray = strayM(groom, slot);
+        const auto at = [&](std::size_t n) {
+            return glm::vec3(seen[n][lane], seen[n][kPickLanes + lane], seen[n][2 * kPickLanes + lane]);
+        };
+        for (std::size_t n = 1; n < nodes; ++n) {
+            if (!spanMeets[(n - 1) / HairBoxes::kSpan])
+                continue;
+            const glm::vec3 from = at(n - 1);
+            const glm::vec3 to = at(n);
+            if (from.z <= 0.0F || to.z <= 0.0F)
+                continue;
+            PictureBox box;
+            box.add(glm::vec2(from));
+            box.add(glm::vec2(to));
+            const float strayPx = stray * picture.lens.pxPerM(std::min(from.z, to.z));
+            if (!box.widened(strayPx).meets(brush.box))
+                continue;
+            front.add(from, to);
+            const Nearest nearest = nearestOf(glm::vec2(from), glm::vec2(to), brush.from, brush.to);
+            if (nearest.apart <= brush.radiusPx + strayPx)
+                touches.push_back({.slot = slot,
+                                   .node = static_cast<std::uint32_t>(n),
+                                   .fraction = nearest.fraction,
+                                   .apartPx = nearest.apart,
+                                   .strayPx = strayPx,
+                                   .seen = from + (to - from) * nearest.fraction});
+        }
+    }
+}
+
+SeenStrand strandAt(const PictureHair& picture, const Touch& touch, const PictureBrush& brush)
+{
+    const sim::Groom& groom = *picture.hair->groom;
+    const std::size_t strand = groom.frameStrand(touch.slot);
+    const glm::vec3 from = groom.blocks().node(picture.hair->positions, strand, touch.node - 1);
+    const glm::vec3 to = groom.blocks().node(picture.hair->positions, strand, touch.node);
+    const float fraction = (static_cast<float>(touch.node - 1) + touch.fraction) / static_cast<float>(groom.nodes - 1);
+    const float lengthM = groom.style(touch.slot).lengthM;
+    return {.root = picture.rootOf(touch.slot),
+            .positionHd = picture.inHead(from + (to - from) * touch.fraction),
+            .alongM = lengthM * fraction,
+            .lengthM = lengthM,
+            .fraction = fraction,
+            .apart = std::min(touch.apartPx / std::max(brush.radiusPx, 1e-3F), 1.0F),
+            .slot = touch.slot};
+}
+
+bool meetsCurve(const PictureHair& picture, std::uint32_t slot, const PictureBrush& brush,
+                std::vector<glm::vec3>& points)
+{
+    picture.drawnCurve(slot, points);
+    glm::vec3 last = picture.lens.seen(points.front());
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const glm::vec3 next = picture.lens.seen(points[i]);
+        if (next.z > 0.0F && last.z > 0.0F &&
+            nearestOf(glm::vec2(last), glm::vec2(next), brush.from, brush.to).apart <= brush.radiusPx)
+            return true;
+        last = next;
+    }
+    return false;
+}
+
+} // namespace
+
+std::vector<SeenStrand> brushedStrands(const PictureHair& picture, const PictureBrush& brush)
+{
+    std::vector<std::uint32_t> blocks;
+    for (std::size_t i = 0; i < picture.boxes.blocks.size(); ++i)
+        for (std::size_t span = 0; span < picture.boxes.spans; ++span)
+            if (picture.boxes.boxes[i * picture.boxes.spans + span].meets(brush.box)) {
+                blocks.push_back(static_cast<std::uint32_t>(i));
+                break;
+            }
+    const float cellPx = std::max(kLeastCellPx, 2.0F * brush.radiusPx / kCellsAcross);
+    const PictureBox around = brush.box.widened(kBesideBrushPx);
+    const std::size_t tasks = (blocks.size() + kBlocksATask - 1) / kBlocksATask;
+    std::vector<std::vector<Touch>> touches(tasks);
+    std::vector<std::optional<FrontHair>> fronts(tasks);
+    sim::parallelFor(tasks, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t task = begin; task < end; ++task) {
+            fronts[task].emplace(around, cellPx);
+            for (std::size_t i = task * kBlocksATask; i < std::min(blocks.size(), (task + 1) * kBlocksATask); ++i)
+                touchBlock(picture, blocks[i], brush, touches[task], *fronts[task]);
+        }
+    });
+    FrontHair front(around, cellPx);
+    for (const std::optional<FrontHair>& part : fronts)
+        front.add(*part);
+
+    // Of each strand the nearest touch that is seen.
+    std::vector<std::vector<SeenStrand>> met(tasks);
+    sim::parallelFor(tasks, 1, [&](std::size_t begin, std::size_t end) {
+        std::vector<glm::vec3> points;
+        for (std::size_t task = begin; task < end; ++task) {
+            const std::vector<Touch>& own = touches[task];
+            for (std::size_t i = 0; i < own.size();) {
+                const Touch* best = nullptr;
+                const std::uint32_t slot = own[i].slot;
+                for (; i < own.size() && own[i].slot == slot; ++i)
+                    if ((best == nullptr || own[i].apartPx < best->apartPx) && !front.hides(own[i].seen) &&
+                        !picture.skin.hides(own[i].seen))
+                        best = &own[i];
+                if (best != nullptr &&
+                    (best->apartPx + best->strayPx <= brush.radiusPx || meetsCurve(picture, slot, brush, points)))
+                    met[task].push_back(strandAt(picture, *best, brush));
+            }
+        }
+    });
+    return joined(met);
+}
+
+} // namespace hairpaint::view

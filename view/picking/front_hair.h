@@ -1,0 +1,79 @@
+// How far away the foremost hair is, in small cells of the picture around a brush.
+#pragma once
+
+#include "view/picking/hair_boxes.h"
+
+#include <array>
+#include <vector>
+
+namespace hairpaint::view {
+
+/// A cell is closed where a few hairs lie before each other: one that strays hides nothing. The order in which points
+/// come makes no difference.
+class FrontHair
+{
+public:
+    FrontHair(const PictureBox& box, float cellPx)
+        : m_box(box), m_cellPx(cellPx), m_across(cells(box.right - box.left)),
+          m_cells(m_across * cells(box.bottom - box.top))
+    {
+        for (Cell& cell : m_cells)
+            cell.fill(kOpen);
+    }
+
+    /// The points of a segment, px and depth, a cell apart.
+    void add(glm::vec3 from, glm::vec3 to)
+    {
+        const glm::vec3 way = to - from;
+        const float longest = std::max(std::abs(way.x), std::abs(way.y));
+        const auto steps = static_cast<int>(std::min(longest / m_cellPx, 64.0F)) + 1;
+        std::size_t last = kNoCell;
+        for (int i = 0; i < steps; ++i) {
+            const glm::vec3 point = from + way * ((static_cast<float>(i) + 0.5F) / static_cast<float>(steps));
+            const std::size_t cell = cellOf(point);
+            if (cell != last && cell != kNoCell && point.z > 0.0F)
+                insert(m_cells[cell], point.z);
+            last = cell;
+        }
+    }
+    void add(const FrontHair& other)
+    {
+        for (std::size_t i = 0; i < m_cells.size(); ++i)
+            for (const float depth : other.m_cells[i])
+                insert(m_cells[i], depth);
+    }
+    /// Whether hair lies before a point by more than the thickness of what is seen together.
+    [[nodiscard]] bool hides(glm::vec3 seen) const
+    {
+        const std::size_t cell = cellOf(seen);
+        return cell != kNoCell && seen.z > m_cells[cell].back() + kSeenM;
+    }
+
+private:
+    static constexpr float kOpen = 1e9F;
+    static constexpr float kSeenM = 0.008F; ///< So far behind the foremost hair a lock still shows.
+    static constexpr std::size_t kNoCell = ~std::size_t{0};
+    using Cell = std::array<float, 4>; ///< The least depths, ascending.
+
+    [[nodiscard]] std::size_t cells(float px) const { return static_cast<std::size_t>(px / m_cellPx) + 1; }
+    [[nodiscard]] std::size_t cellOf(glm::vec3 seen) const
+    {
+        if (!(seen.x >= m_box.left) || seen.x > m_box.right || !(seen.y >= m_box.top) || seen.y > m_box.bottom)
+            return kNoCell;
+        return static_cast<std::size_t>((seen.y - m_box.top) / m_cellPx) * m_across +
+               static_cast<std::size_t>((seen.x - m_box.left) / m_cellPx);
+    }
+    static void insert(Cell& cell, float depth)
+    {
+        for (float& one : cell)
+            if (depth < one)
+                std::swap(one, depth);
+    }
+
+    PictureBox m_box;
+    float m_cellPx;
+    std::size_t m_across;
+    std::vector<Cell> m_cells;
+};
+
+} // namespace hairpaint::view

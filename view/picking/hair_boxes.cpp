@@ -1,0 +1,90 @@
+// Projects every node of every placed block, sixteen strands at once.
+#include "view/picking/hair_boxes.h"
+
+#include "sim/base/parallel.h"
+#include "sim/groom/strand_curve.h"
+
+#include <array>
+#include <bit>
+
+namespace hairpaint::view {
+
+namespace {
+
+constexpr std::size_t kBlocksAtOnce = 128;
+// Of the radii in StrandStyle: how far from the skeleton the curves reach, at most.
+constexpr float kCurlReach = 1.2F;
+constexpr float kCoilReach = 2.0F;
+constexpr float kFrizzReach = 1.5F;
+constexpr float kBraidReach = 2.5F;
+constexpr float kSagOfSegment = 0.06F; ///< Of a skeleton's segment: the spline bulges from its chord.
+
+std::uint32_t placedLanes(const sim::GroupFrame& group, std::size_t firstSlot)
+{
+    std::uint32_t lanes = 0;
+    for (std::size_t lane = 0; lane < kPickLanes; ++lane)
+        lanes |= (group.places(firstSlot + lane) ? 1U : 0U) << lane;
+    return lanes;
+}
+
+} // namespace
+
+float strayM(const sim::Groom& groom, std::size_t slot)
+{
+    const sim::StrandStyle& style = groom.style(slot);
+    const bool curls = style.turns > 0.0F && style.curlRadiusM > 0.0F;
+    const float curl =
+        curls ? style.curlRadiusM * (sim::coilsOf(groom.settings) != nullptr ? kCoilReach : kCurlReach) : 0.0F;
+    const float braid = style.braid != sim::BraidKind::None ? style.braidRadiusM * kBraidReach : 0.0F;
+    return std::max(curl, braid) + style.frizzM * kFrizzReach +
+           style.lengthM / static_cast<float>(groom.nodes - 1) * kSagOfSegment;
+}
+
+HairBoxes::HairBoxes(const sim::GroupFrame& group, const Lens& lens)
+{
+    if (!group.groom || group.positions.empty())
+        return;
+    const sim::Groom& groom = *group.groom;
+    const auto nodes = static_cast<std::size_t>(groom.nodes);
+    for (std::size_t chunk = 0; chunk < groom.chunks.size(); ++chunk)
+        if (groom.chunks[chunk] && groom.packedChunk[chunk] >= 0)
+            for (std::size_t block = 0; block < sim::kBlocksPerChunk; ++block)
+                if (groom.chunks[chunk]->leastDetail[block] < group.detail)
+                    blocks.push_back(
+                        {.firstSlot = static_cast<std::uint32_t>(chunk * sim::kChunkSlots + block * kPickLanes)});
+    spans = (nodes - 1 + kSpan - 1) / kSpan;
+    boxes.resize(blocks.size() * spans);
+    sim::parallelFor(blocks.size(), kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
+        std::array<float, 3 * kPickLanes> seen{};
+        for (std::size_t i = begin; i < end; ++i) {
+            Block& block = blocks[i];
+            block.lanes = placedLanes(group, block.firstSlot);
+            float farthestM = 0.0F;
+            for (std::uint32_t lanes = block.lanes; lanes != 0; lanes &= lanes - 1)
+                farthestM = std::max(
+                    farthestM, strayM(groom, block.firstSlot + static_cast<std::size_t>(std::countr_zero(lanes))));
+            const float* node = group.positions.data() + groom.blocks().index(groom.frameStrand(block.firstSlot), 0);
+            float nearestM = 1e9F;
+            for (std::size_t n = 0; n < nodes; ++n, node += sim::StrandBlocks::kNodeStride) {
+                lens.seen(node, seen.data());
+                PictureBox box;
+                for (std::uint32_t lanes = block.lanes; lanes != 0; lanes &= lanes - 1) {
+                    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+                    if (seen[2 * kPickLanes + lane] <= 0.0F)
+                        continue;
+                    box.add(glm::vec2(seen[lane], seen[kPickLanes + lane]));
+                    nearestM = std::min(nearestM, seen[2 * kPickLanes + lane]);
+                }
+                // A node between two spans ends the one and begins the other.
+                const std::size_t after = std::min(n / kSpan, spans - 1);
+                const std::size_t before = n > 0 ? (n - 1) / kSpan : 0;
+                for (std::size_t span = before; span <= after; ++span)
+                    boxes[i * spans + span].add(box);
+            }
+            for (std::size_t span = 0; span < spans; ++span)
+                boxes[i * spans + span] = boxes[i * spans + span].widened(farthestM * lens.pxPerM(nearestM));
+        }
+    });
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,43 @@
+// The hair of a group in one picture of the 3D area: what every question about it needs.
+#pragma once
+
+#include "view/picking/hair_boxes.h"
+#include "view/picking/skin_depths.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace hairpaint::view {
+
+/// Immutable, but for its frame's life, which is its owner's.
+struct PictureHair
+{
+    const sim::GroupFrame* hair = nullptr; ///< Not null.
+    sim::HeadPose pose;
+    Lens lens;
+    HairBoxes boxes;
+    SkinDepths skin;
+
+    /// The drawn curve of a placed hair: Wo, root first.
+    void drawnCurve(std::uint32_t slot, std::vector<glm::vec3>& points) const;
+    [[nodiscard]] sim::SurfacePoint rootOf(std::uint32_t slot) const;
+    [[nodiscard]] glm::vec3 inHead(glm::vec3 positionWo) const
+    {
+        return glm::conjugate(pose.rotation) * (positionWo - pose.positionWo);
+    }
+};
+
+/// The point of the skin where a hair has its root.
+[[nodiscard]] sim::SurfacePoint rootOf(const sim::RootSet& roots, std::uint32_t slot);
+
+/// Tasks whose number does not depend on that of the threads, and what each found, put together in their order.
+template<class T>
+[[nodiscard]] std::vector<T> joined(const std::vector<std::vector<T>>& parts)
+{
+    std::vector<T> whole;
+    for (const std::vector<T>& part : parts)
+        whole.insert(whole.end(), part.begin(), part.end());
+    return whole;
+}
+
+} // namespace hairpaint::view
