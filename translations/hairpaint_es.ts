@@ -2755,6 +2755,26 @@
         <source>Paints filled rectangles, ellipses and polygons.</source>
         <translation>Pinta rectángulos, elipses y polígonos rellenos.</translation>
     </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Tijeras</translation>
+    </message>
+    <message>
+        <source>Cuts the hair that a line over the 3D area crosses.</source>
+        <translation>Cortan el pelo que cruza una línea trazada sobre el área 3D.</translation>
+    </message>
+    <message>
+        <source>Drag a line over the hair in the 3D area; Shift keeps it level, upright or aslant</source>
+        <translation>Traza una línea sobre el pelo en el área 3D; con Mayús queda horizontal, vertical o en diagonal</translation>
+    </message>
+    <message>
+        <source>Draw around hair in the 3D area: what is inside falls; Esc leaves no trace</source>
+        <translation>Rodea pelo en el área 3D: lo que queda dentro cae; Esc no deja rastro</translation>
+    </message>
+    <message>
+        <source>Cut hair</source>
+        <translation>Cortar pelo</translation>
+    </message>
 </context>
 <context>
     <name>ToolOptions</name>
@@ -2877,6 +2897,42 @@
     <message>
         <source>How flat combed hair lies; pen pressure makes it less</source>
         <translation>Lo plano que queda el pelo peinado; la presión del lápiz lo reduce</translation>
+    </message>
+    <message>
+        <source>Cut along a straight line</source>
+        <translation>Cortar por una línea recta</translation>
+    </message>
+    <message>
+        <source>Cut along the line as it is drawn</source>
+        <translation>Cortar por la línea tal como se traza</translation>
+    </message>
+    <message>
+        <source>Cut off what is inside</source>
+        <translation>Cortar lo que queda dentro</translation>
+    </message>
+    <message>
+        <source>Also behind the head</source>
+        <translation>También detrás de la cabeza</translation>
+    </message>
+    <message>
+        <source>Cut what the head hides from here, too</source>
+        <translation>Cortar también lo que la cabeza oculta desde aquí</translation>
+    </message>
+    <message>
+        <source>Hairs cut</source>
+        <translation>Pelos cortados</translation>
+    </message>
+    <message>
+        <source>Of the hairs that are crossed; fewer thin the ends out</source>
+        <translation>De los pelos cruzados; con menos, las puntas se vacían</translation>
+    </message>
+    <message>
+        <source>Ragged</source>
+        <translation>Irregular</translation>
+    </message>
+    <message>
+        <source>How far above or below the line each hair is cut</source>
+        <translation>Cuánto por encima o por debajo de la línea se corta cada pelo</translation>
     </message>
 </context>
 <context>
@@ -5489,6 +5545,10 @@ Se ha perdido esto:</translation>
     <message>
         <source>%1 is painted with %2 now: this group&apos;s range ends there.</source>
         <translation>%1 se pinta ahora con %2: el rango de este grupo termina ahí.</translation>
+    </message>
+    <message>
+        <source>%1: draw over the hair in the 3D area.</source>
+        <translation>%1: traza sobre el pelo en el área 3D.</translation>
     </message>
 </context>
 <context>

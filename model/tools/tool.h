@@ -56,6 +56,20 @@ struct HairEvent
     Qt::KeyboardModifiers modifiers = {};
 };
 
+/// One pointer event on the picture of the 3D area, over hair, skin or neither.
+struct PictureEvent
+{
+    QPointF position; ///< px of the view.
+    Qt::KeyboardModifiers modifiers = {};
+};
+
+/// A line over the picture of the 3D area, px of the view.
+struct PictureLine
+{
+    QPolygonF line = {};
+    bool closed = false;
+};
+
 /// What is drawn over the areas while a tool is in use. uv space; closed where marked.
 struct OverlayShape
 {
@@ -72,6 +86,7 @@ enum class ToolId : std::uint8_t
     Comb,
     Part,
     Grab,
+    Scissors,
     Gradient,
     Fill,
     Shape,
@@ -79,6 +94,7 @@ enum class ToolId : std::uint8_t
     Picker
 };
 class Selection;
+class SeenHair;
 
 /// What tools work with; owned by the app, passed in.
 struct ToolContext
@@ -90,6 +106,7 @@ struct ToolContext
     bool mirror = false;                               ///< Paint at the reflected point too.
     std::function<Id(MapKind)> activeLayer = {};       ///< Of the target's group, for each map; 0 where it has none.
     std::shared_ptr<const sim::StrandFrame> hair = {}; ///< The newest that is drawn; null before there is any.
+    const SeenHair* seen = nullptr;                    ///< The picture of the 3D area; null outside it.
 
     /// The active layer of another map of the target's group; the top one where nobody says which it is.
     [[nodiscard]] LayerAddress layer(MapKind map) const;
@@ -138,6 +155,16 @@ public:
     virtual void releaseHair(const HairEvent& event, ToolContext& context) = 0;
 };
 
+/// Of tools that in the 3D area draw over the picture, wherever they begin.
+class PictureHandler
+{
+public:
+    virtual ~PictureHandler() = default;
+    virtual void pressPicture(const PictureEvent& event, ToolContext& context) = 0;
+    virtual void movePicture(const PictureEvent& event, ToolContext& context) = 0;
+    virtual void releasePicture(const PictureEvent& event, ToolContext& context) = 0;
+};
+
 /// A small state machine. Painting tools work in an edit session (LiveEdit): one press..release, or one pending shape,
 /// is one undo command; cancel() leaves no trace. Somebody else's edit may end the session at any time: active() is
 /// false from then on.
@@ -169,6 +196,10 @@ public:
 
     /// What takes hold of hair in the 3D area; null where the tool works on the skin there, too.
     [[nodiscard]] virtual HairHandler* hairHandler() { return nullptr; }
+    /// What draws over the 3D area's picture; null where the tool works on the skin there, or on hair.
+    [[nodiscard]] virtual PictureHandler* pictureHandler() { return nullptr; }
+    /// What it has drawn there.
+    [[nodiscard]] virtual PictureLine pictureLine() const { return {}; }
     /// A key pressed while the tool is in use; false leaves it to others.
     virtual bool key(Qt::Key /*key*/, Qt::KeyboardModifiers /*modifiers*/, ToolContext& /*context*/) { return false; }
     /// The settings have changed: brings the running action up to date with them.

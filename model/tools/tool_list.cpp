@@ -24,6 +24,7 @@ std::vector<std::unique_ptr<Tool>> makeTools()
     tools.push_back(makeCombTool());
     tools.push_back(makePartTool());
     tools.push_back(makeGrabTool());
+    tools.push_back(makeScissorsTool());
     tools.push_back(makeGradientTool());
     tools.push_back(makeFillTool());
     tools.push_back(makeShapeTool());

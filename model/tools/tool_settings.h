@@ -23,6 +23,13 @@ enum class CombKind : std::uint8_t
     Whorl, ///< Lays it in a spiral around the pointer.
     Hold   ///< As it lies now, with gel.
 };
+/// What the scissors follow.
+enum class CutKind : std::uint8_t
+{
+    Line,
+    Freehand,
+    Lasso
+};
 enum class GradientKind : std::uint8_t
 {
     Linear,
@@ -51,6 +58,10 @@ struct ToolSettings
     float holdGel = 0.5F;     ///< 0..1: hair that is held as it lies gets at least so much gel,
     float grabGel = 0.3F;     ///< 0..1: and hair that is pulled so much.
     float lift = 0.5F;        ///< -1..1: from hair as it lies to upright, or to flat below 0.
+    CutKind cut = CutKind::Line;
+    bool cutThrough = false;  ///< Cut what the head hides, too.
+    float cutFraction = 1.0F; ///< 0.01..1 of the hairs that are crossed.
+    float cutRaggedM = 0.0F;  ///< 0..0.05 m: how far from the line each of them is cut.
     std::array<PaintValue, kMapKindCount> values = firstPaintValues(); ///< What each map is painted with.
     std::array<PaintValue, kMapKindCount> secondValues =
         secondPaintValues(); ///< What X swaps in; the far end of gradients.

@@ -257,8 +257,8 @@ void TestTools::toolsHaveTheirOwnIdsKeysAndHints()
         QVERIFY(!tool->hint().isEmpty());
     }
     QCOMPARE(ids.join(QLatin1Char(' ')),
-             QStringLiteral("brush eraser comb part grab gradient fill shape select picker"));
-    QCOMPARE(keys.join(QLatin1Char(' ')), QStringLiteral("B E C P Y G Shift+G U M I"));
+             QStringLiteral("brush eraser comb part grab scissors gradient fill shape select picker"));
+    QCOMPARE(keys.join(QLatin1Char(' ')), QStringLiteral("B E C P Y K G Shift+G U M I"));
 }
 
 void TestTools::eachEventTellsOnlyTheTilesItTouched()

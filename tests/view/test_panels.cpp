@@ -437,8 +437,8 @@ private Q_SLOTS:
         auto* demo = hint->findChild<ToolDemo*>();
         ask(model::ToolId::Brush);
         QVERIFY(hint->isVisible() && !demo->isVisible());
-        for (const model::ToolId tool :
-             {model::ToolId::Comb, model::ToolId::Part, model::ToolId::Grab, model::ToolId::Gradient}) {
+        for (const model::ToolId tool : {model::ToolId::Comb, model::ToolId::Part, model::ToolId::Grab,
+                                         model::ToolId::Scissors, model::ToolId::Gradient}) {
             QToolButton* button = ask(tool);
             QVERIFY(hint->isVisible() && demo->isVisible());
             QCOMPARE(hint->findChild<QLabel*>()->text(), button->toolTip());

@@ -216,6 +216,10 @@ void ToolBox::tellOfCtrl(model::Area area, Qt::KeyboardModifiers modifiers)
 
 void ToolBox::press(const model::ToolEvent& event)
 {
+    if (active().pictureHandler() != nullptr) {
+        Q_EMIT refused(tr("%1: draw over the hair in the 3D area.").arg(active().title()));
+        return;
+    }
     if (mayStart(event.area, event.modifiers))
         withTool([&event](model::Tool& tool, model::ToolContext& toolContext) { tool.press(event, toolContext); });
 }
@@ -255,6 +259,31 @@ void ToolBox::release(const model::HairEvent& event)
     model::HairHandler* hand = active().hairHandler();
     if (hand != nullptr && stroking())
         withTool([&](model::Tool&, model::ToolContext& toolContext) { hand->releaseHair(event, toolContext); });
+}
+
+void ToolBox::press(const model::PictureEvent& event)
+{
+    model::PictureHandler* hand = active().pictureHandler();
+    if (hand != nullptr && mayStart(model::Area::Head, event.modifiers))
+        withTool([&](model::Tool&, model::ToolContext& toolContext) { hand->pressPicture(event, toolContext); });
+}
+
+void ToolBox::move(const model::PictureEvent& event)
+{
+    model::PictureHandler* hand = active().pictureHandler();
+    if (hand == nullptr || !stroking())
+        return;
+    withTool([&](model::Tool&, model::ToolContext& toolContext) { hand->movePicture(event, toolContext); });
+    Q_EMIT overlayChanged();
+}
+
+void ToolBox::release(const model::PictureEvent& event)
+{
+    model::PictureHandler* hand = active().pictureHandler();
+    if (hand == nullptr || !stroking())
+        return;
+    withTool([&](model::Tool&, model::ToolContext& toolContext) { hand->releasePicture(event, toolContext); });
+    Q_EMIT overlayChanged();
 }
 
 void ToolBox::hover(const std::optional<model::ToolEvent>& event)
@@ -300,7 +329,8 @@ model::ToolContext ToolBox::context()
             .selection = m_selection,
             .mirror = m_options.mirror(),
             .activeLayer = [this](MapKind map) { return m_target.layer(map); },
-            .hair = m_hair};
+            .hair = m_hair,
+            .seen = m_seen};
 }
 
 } // namespace hairpaint::view

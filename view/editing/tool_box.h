@@ -47,6 +47,8 @@ public:
 
     /// The newest hair that is drawn, for tools that ask how it lies.
     void setHair(std::shared_ptr<const sim::StrandFrame> hair) { m_hair = std::move(hair); }
+    /// The 3D area's picture; null: there is none. Must outlive this, or be taken back.
+    void setSeen(const model::SeenHair* seen) { m_seen = seen; }
 
     /// Whether these maps of the active group can be painted on; where not, refused() says why.
     bool mayPaint(std::initializer_list<model::MapKind> maps);
@@ -59,6 +61,10 @@ public:
     void press(const model::HairEvent& event);
     void move(const model::HairEvent& event);
     void release(const model::HairEvent& event);
+    /// The same over the 3D area's picture, where the active tool draws over it.
+    void press(const model::PictureEvent& event);
+    void move(const model::PictureEvent& event);
+    void release(const model::PictureEvent& event);
     /// The pointer moves with no button down; none: it left.
     void hover(const std::optional<model::ToolEvent>& event);
     /// A key pressed over either area: Esc and Enter end what runs, others are the active tool's. False: not ours.
@@ -106,6 +112,7 @@ private:
     model::ValueAmounts m_amounts;
     model::Selection m_selection;
     std::shared_ptr<const sim::StrandFrame> m_hair;
+    const model::SeenHair* m_seen = nullptr;
 };
 
 } // namespace hairpaint::view

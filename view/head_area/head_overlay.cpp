@@ -86,6 +86,14 @@ void HeadOverlay::setShapes(const std::vector<model::OverlayShape>& shapes, cons
     showIfNeeded();
 }
 
+void HeadOverlay::setPictureLine(model::PictureLine line)
+{
+    if (line.line == m_pictureLine.line && line.closed == m_pictureLine.closed)
+        return;
+    m_pictureLine = std::move(line);
+    showIfNeeded();
+}
+
 void HeadOverlay::setWorn(const std::vector<model::Worn>& worn, model::Id chosen, const rendering::Camera& camera,
                           const sim::HeadPose& pose)
 {
@@ -146,7 +154,7 @@ void HeadOverlay::setDirectionsFaded(bool faded)
 void HeadOverlay::showIfNeeded()
 {
     setVisible(!m_directions.empty() || !m_lines.empty() || !m_handles.isEmpty() || !m_ghost.isEmpty() ||
-               !m_wornOutlines.empty());
+               !m_wornOutlines.empty() || m_pictureLine.line.size() > 1);
     update();
 }
 
@@ -178,6 +186,10 @@ void HeadOverlay::paintEvent(QPaintEvent*)
         painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         for (const QPolygonF& line : m_lines)
             painter.drawPolyline(line);
+        if (m_pictureLine.closed)
+            painter.drawPolygon(m_pictureLine.line);
+        else
+            painter.drawPolyline(m_pictureLine.line);
     }
     painter.setPen(QPen(QColor(0, 0, 0, 190), 1.0));
     painter.setBrush(QColor(255, 255, 255, 235));

@@ -28,6 +28,10 @@ public:
     void setShapes(const std::vector<model::OverlayShape>& shapes, const sim::Skin* skin,
                    const rendering::Camera& camera, const sim::HeadPose& pose);
 
+    /// What a tool draws over the picture itself, in this widget's coordinates.
+    void setPictureLine(model::PictureLine line);
+    [[nodiscard]] const model::PictureLine& pictureLine() const { return m_pictureLine; }
+
     /// Three ellipses for each, as wire: the far half is seen, too; the chosen one stands out, with its axes' ends.
     /// None: nothing is shown.
     void setWorn(const std::vector<model::Worn>& worn, model::Id chosen, const rendering::Camera& camera,
@@ -55,6 +59,7 @@ private:
     Theme m_theme;
     std::vector<QPolygonF> m_lines; ///< In this widget's coordinates, as the next two.
     QPolygonF m_handles;
+    model::PictureLine m_pictureLine;
     std::vector<QPolygonF> m_wornOutlines;
     std::vector<QPolygonF> m_chosen; ///< The chosen one's ellipses among them,
     QPolygonF m_chosenEnds;          ///< and the ends of its axes.

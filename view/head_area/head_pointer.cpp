@@ -15,6 +15,15 @@
 
 namespace hairpaint::view {
 
+namespace {
+
+model::PictureEvent pictureEvent(const PointerSample& sample)
+{
+    return {.position = sample.position, .modifiers = sample.modifiers};
+}
+
+} // namespace
+
 HeadPointer::HeadPointer(EditorState& editor, const HeadScene& scene, HeadTurn& turn, QWidget& area)
     : m_editor(editor), m_scene(scene), m_turn(turn), m_area(area), m_keys({Qt::Key_Space, Qt::Key_H, Qt::Key_O}),
       m_stroke(editor, scene), m_brushDrag(editor), m_wornDrag(editor, scene, area)
@@ -42,6 +51,8 @@ HeadPointer::Drag HeadPointer::dragOf(const PointerSample& pressed)
     const bool alt = pressed.modifiers.testFlag(Qt::AltModifier);
     if (!alt && m_wornDrag.press(pressed))
         return Drag::Worn;
+    if (!alt && m_editor.tools().active().pictureHandler() != nullptr)
+        return Drag::Picture;
     if (!alt && grabs()) {
         m_grabbed = m_scene.hairAt(pressed.position);
         return m_grabbed ? Drag::Stroke : Drag::Orbit;
@@ -62,6 +73,8 @@ void HeadPointer::press(const PointerSample& sample)
         m_lightBefore = m_light = m_editor.document().project().light;
     } else if (m_drag == Drag::Turn) {
         m_turn.press();
+    } else if (m_drag == Drag::Picture) {
+        m_editor.tools().press(pictureEvent(sample));
     } else if (m_drag == Drag::Stroke) {
         hoverAt(sample);
         m_stroke.press(sample, m_grabbed);
@@ -75,12 +88,16 @@ void HeadPointer::move(const PointerSample& sample)
     switch (m_drag) {
     case Drag::None:
         hoverAt(sample);
-        if (sample.buttons == Qt::NoButton && !grabs())
+        // Hair that is to be grabbed or cut is not blown away.
+        if (sample.buttons == Qt::NoButton && !grabs() && m_editor.tools().active().pictureHandler() == nullptr)
             blowAt(sample);
         break;
     case Drag::Stroke:
         hoverAt(sample);
         m_stroke.move(sample);
+        break;
+    case Drag::Picture:
+        m_editor.tools().move(pictureEvent(sample));
         break;
     case Drag::Orbit:
         Q_EMIT cameraWanted(orbited(m_cameraBefore, moved));
@@ -113,6 +130,8 @@ void HeadPointer::release(const PointerSample& sample)
     const QPointF moved = sample.position - m_pressed.position;
     if (drag == Drag::Stroke) {
         m_stroke.release(sample);
+    } else if (drag == Drag::Picture) {
+        m_editor.tools().release(pictureEvent(sample));
     } else if (drag == Drag::Worn) {
         m_wornDrag.release();
     } else if (drag == Drag::Turn) {
@@ -145,7 +164,7 @@ bool HeadPointer::handleKey(Qt::Key key, Qt::KeyboardModifiers modifiers)
         return true;
     }
     if (m_editor.tools().key(key, modifiers)) {
-        if (m_drag == Drag::Stroke && !m_editor.tools().stroking())
+        if ((m_drag == Drag::Stroke || m_drag == Drag::Picture) && !m_editor.tools().stroking())
             m_drag = Drag::None;
         return true;
     }
@@ -224,7 +243,7 @@ void HeadPointer::updateCursor()
         shape = Qt::SizeAllCursor;
     else if (isKeyHeld)
         shape = Qt::OpenHandCursor;
-    else if (hover && hover->area == model::Area::Head)
+    else if ((hover && hover->area == model::Area::Head) || m_editor.tools().active().pictureHandler() != nullptr)
         shape = Qt::CrossCursor; // Drawing may be slow, so the ring alone would lag behind the hand.
     if (m_area.cursor().shape() != shape)
         m_area.setCursor(shape);

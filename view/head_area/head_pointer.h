@@ -59,6 +59,7 @@ private:
     {
         None,
         Stroke,
+        Picture,
         Orbit,
         Pan,
         Light,

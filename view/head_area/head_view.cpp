@@ -353,6 +353,7 @@ void HeadView::refreshOverlay()
 {
     const Sight sight = shown();
     m_overlay->setShapes(m_state.tools().overlay(), m_scene->skin(), sight.camera, sight.pose);
+    m_overlay->setPictureLine(m_state.tools().active().pictureLine());
     m_overlay->setWorn(outlinedWorn(m_state), m_state.options().chosenWorn(), sight.camera, sight.pose);
     m_overlay->setGhost(m_scene->hiddenRing());
     m_directions->refreshSoon();

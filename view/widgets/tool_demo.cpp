@@ -86,6 +86,10 @@ DemoHair hairOf(model::ToolId tool, const Moment& moment, int column, int row, Q
         const QPointF tip = root + QPointF(0.0, -kHairPx) + (pointer - taken) * held;
         return {.angle = std::atan2(tip.y() - root.y(), tip.x() - root.x())};
     }
+    case model::ToolId::Scissors: {
+        constexpr double kCut = 0.5;
+        return {.lengthPx = pointer.x() > root.x() ? kHairPx * kCut : kHairPx};
+    }
     case model::ToolId::Gradient: {
         const double along = (root.x() - moment.area.left()) / moment.area.width();
         return {.lengthPx = moment.done < 1.0 ? kHairPx : mixed(3.0, 1.5 * kHairPx, along)};
@@ -110,7 +114,8 @@ ToolDemo::ToolDemo(QWidget* parent) : QWidget(parent)
 bool ToolDemo::shows(model::ToolId tool)
 {
     using model::ToolId;
-    return tool == ToolId::Comb || tool == ToolId::Part || tool == ToolId::Grab || tool == ToolId::Gradient;
+    return tool == ToolId::Comb || tool == ToolId::Part || tool == ToolId::Grab || tool == ToolId::Scissors ||
+           tool == ToolId::Gradient;
 }
 
 void ToolDemo::setTool(model::ToolId tool)

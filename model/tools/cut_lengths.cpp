@@ -1,0 +1,280 @@
+// Texels by nearest root, then Kaczmarz's projections onto what each cut root should read.
+#include "model/tools/cut_lengths.h"
+
+#include "model/values/texel_math.h"
+#include "sim/base/parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr float kSpacings = 2.0F; ///< Of roots: how far from one its texels may lie.
+constexpr float kLeastReachTx = 2.0F, kMostReachTx = 16.0F;
+constexpr int kSweeps = 16;
+constexpr float kErrorM = 1e-4F; ///< Of a hair's length; then the sweeps end.
+constexpr float kLeastWeight = 1e-3F;
+
+} // namespace
+
+CutLengths::CutLengths(const sim::GroupFrame& hair, sim::MapRaster shown) : m_shown(std::move(shown))
+{
+    const sim::Groom& groom = *hair.groom;
+    const sim::RootSet& roots = *groom.roots;
+    m_shortestM = groom.settings.shortestLengthM;
+    m_rangeM = std::max(groom.settings.greatestLengthM - m_shortestM, 1e-6F);
+    const int size = m_shown->size();
+    const auto tileOf = [&](std::size_t slot) {
+        const glm::ivec2 first = sim::TiledRaster::footprint(roots.uv[slot], size);
+        return static_cast<std::size_t>(m_shown->tileIndexAt(first.x, first.y));
+    };
+    const auto tileCount = static_cast<std::size_t>(m_shown->tileCount());
+    m_firstOfTile.assign(tileCount + 1, 0);
+    for (std::size_t slot = 0; slot < roots.count(); ++slot)
+        if (hair.places(slot))
+            ++m_firstOfTile[tileOf(slot) + 1];
+    std::partial_sum(m_firstOfTile.begin(), m_firstOfTile.end(), m_firstOfTile.begin());
+    m_roots.resize(m_firstOfTile.back());
+    m_kept.assign(m_roots.size(), 1.0F);
+    m_rootOfSlot.assign(roots.count(), kNone);
+    std::vector<std::uint32_t> next(m_firstOfTile.begin(), m_firstOfTile.end() - 1);
+    for (std::size_t slot = 0; slot < roots.count(); ++slot) {
+        if (!hair.places(slot))
+            continue;
+        const std::uint32_t root = next[tileOf(slot)]++;
+        const glm::vec2 uv = roots.uv[slot];
+        const glm::ivec2 first = sim::TiledRaster::footprint(uv, size);
+        const glm::vec2 position = glm::vec2(uv.x, 1.0F - uv.y) * static_cast<float>(size) - 0.5F;
+        m_roots[root] = {.slot = static_cast<std::uint32_t>(slot),
+                         .first = first,
+                         .fraction = glm::clamp(position - glm::vec2(first), 0.0F, 1.0F)};
+        m_rootOfSlot[slot] = root;
+    }
+    m_workOfTile.assign(tileCount, -1);
+    m_owners.resize(tileCount);
+    m_reachTx.resize(tileCount);
+    const int across = m_shown->tilesAcross();
+    for (int tile = 0; tile < static_cast<int>(tileCount); ++tile) {
+        std::uint32_t most = 1; // Where hair ends in a tile, roots are no further apart than in the next one.
+        for (int y = std::max(tile / across - 1, 0); y <= std::min(tile / across + 1, across - 1); ++y)
+            for (int x = std::max(tile % across - 1, 0); x <= std::min(tile % across + 1, across - 1); ++x) {
+                const auto beside = static_cast<std::size_t>(y * across + x);
+                most = std::max(most, m_firstOfTile[beside + 1] - m_firstOfTile[beside]);
+            }
+        m_reachTx[static_cast<std::size_t>(tile)] = std::clamp(
+            kSpacings * static_cast<float>(kTile) / std::sqrt(static_cast<float>(most)), kLeastReachTx, kMostReachTx);
+    }
+}
+
+/// As a texel's value, 0..65535, which stays or becomes less.
+float CutLengths::cutValue(float value, float kept) const
+{
+    const float lengthM = m_shortestM + m_rangeM * value / 65535.0F;
+    return std::clamp((lengthM * kept - m_shortestM) / m_rangeM * 65535.0F, 0.0F, value);
+}
+
+void CutLengths::cut(std::span<const StrandCut> cuts)
+{
+    for (const std::uint32_t root : m_cutRoots)
+        m_kept[root] = 1.0F;
+    m_cutRoots.clear();
+    for (const StrandCut& one : cuts) {
+        const std::uint32_t root = m_rootOfSlot[one.slot];
+        if (root == kNone || !(one.kept < m_kept[root]))
+            continue;
+        if (m_kept[root] == 1.0F)
+            m_cutRoots.push_back(root);
+        m_kept[root] = std::max(one.kept, 0.0F);
+    }
+    std::ranges::sort(m_cutRoots);
+    findTiles();
+    sim::parallelFor(m_works.size(), 1, [this](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (m_owners[static_cast<std::size_t>(m_works[i].tile)].empty())
+                findOwners(m_works[i].tile);
+            divide(m_works[i]);
+        }
+    });
+    correct();
+    sim::parallelFor(m_works.size(), 8, [this](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel)
+                m_works[i].values[texel] = unit16(m_works[i].wanted[texel] / 65535.0F);
+    });
+}
+
+void CutLengths::findTiles()
+{
+    for (const int tile : m_tiles)
+        m_workOfTile[static_cast<std::size_t>(tile)] = -1;
+    m_tiles.clear();
+    const int across = m_shown->tilesAcross();
+    for (const std::uint32_t root : m_cutRoots) {
+        const glm::ivec2 first = m_roots[root].first;
+        const int reach =
+            static_cast<int>(std::ceil(m_reachTx[static_cast<std::size_t>(m_shown->tileIndexAt(first.x, first.y))]));
+        const int last = m_shown->size() - 1;
+        for (int y = std::max(first.y - reach, 0) / kTile; y <= std::min(first.y + 1 + reach, last) / kTile; ++y)
+            for (int x = std::max(first.x - reach, 0) / kTile; x <= std::min(first.x + 1 + reach, last) / kTile; ++x)
+                if (int& work = m_workOfTile[static_cast<std::size_t>(y * across + x)]; work < 0) {
+                    work = 0;
+                    m_tiles.push_back(y * across + x);
+                }
+    }
+    std::ranges::sort(m_tiles);
+    m_works.resize(m_tiles.size());
+    for (std::size_t i = 0; i < m_tiles.size(); ++i) {
+        m_workOfTile[static_cast<std::size_t>(m_tiles[i])] = static_cast<int>(i);
+        m_works[i].tile = m_tiles[i];
+    }
+}
+
+/// Calls `use(tile)` for a tile and those beside it.
+template<typename Use>
+void forTilesAround(int tile, int across, const Use& use)
+{
+    for (int y = std::max(tile / across - 1, 0); y <= std::min(tile / across + 1, across - 1); ++y)
+        for (int x = std::max(tile % across - 1, 0); x <= std::min(tile % across + 1, across - 1); ++x)
+            use(static_cast<std::size_t>(y * across + x));
+}
+
+void CutLengths::findOwners(int tile)
+{
+    const sim::TexelRect rect = m_shown->tileRect(tile);
+    std::vector<std::uint32_t>& owners = m_owners[static_cast<std::size_t>(tile)];
+    owners.assign(sim::kTileTexels, kNone);
+    std::vector<float> squares(sim::kTileTexels, std::numeric_limits<float>::max());
+    const auto spread = [&](std::uint32_t root, float reachTx) {
+        const glm::vec2 at = m_roots[root].positionTx();
+        const int y0 = std::max(static_cast<int>(std::ceil(at.y - reachTx)), rect.y0);
+        const int y1 = std::min(static_cast<int>(std::floor(at.y + reachTx)), rect.y1 - 1);
+        for (int y = y0; y <= y1; ++y) {
+            const float dy = static_cast<float>(y) - at.y;
+            const float half = std::sqrt(std::max(reachTx * reachTx - dy * dy, 0.0F));
+            const int x0 = std::max(static_cast<int>(std::ceil(at.x - half)), rect.x0);
+            const int x1 = std::min(static_cast<int>(std::floor(at.x + half)), rect.x1 - 1);
+            for (int x = x0; x <= x1; ++x) {
+                const std::size_t texel =
+                    static_cast<std::size_t>(y - rect.y0) * kTile + static_cast<std::size_t>(x - rect.x0);
+                const float dx = static_cast<float>(x) - at.x;
+                const float square = dx * dx + dy * dy;
+                if (square < squares[texel]) {
+                    squares[texel] = square;
+                    owners[texel] = root;
+                }
+            }
+        }
+    };
+    forTilesAround(tile, m_shown->tilesAcross(), [&](std::size_t from) {
+        for (std::uint32_t root = m_firstOfTile[from]; root < m_firstOfTile[from + 1]; ++root)
+            spread(root, m_reachTx[from]);
+    });
+}
+
+/// Finds the texels of a tile that the cuts change, and what each would be by its own root alone.
+void CutLengths::divide(Work& work) const
+{
+    const sim::TexelRect rect = m_shown->tileRect(work.tile);
+    const std::vector<std::uint32_t>& owners = m_owners[static_cast<std::size_t>(work.tile)];
+    std::vector<float>& kept = work.wanted; // First of all.
+    kept.resize(sim::kTileTexels);
+    work.values.resize(sim::kTileTexels);
+    for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel)
+        kept[texel] = owners[texel] == kNone ? 1.0F : m_kept[owners[texel]];
+    const auto forRead = [&](std::uint32_t root, const auto& use) {
+        const glm::ivec2 first = m_roots[root].first;
+        const int last = m_shown->size() - 1;
+        for (int k = 0; k < 4; ++k) {
+            const int x = std::min(first.x + k % 2, last);
+            const int y = std::min(first.y + k / 2, last);
+            if (x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1)
+                use(static_cast<std::size_t>(y - rect.y0) * kTile + static_cast<std::size_t>(x - rect.x0));
+        }
+    };
+    for (const bool isCut : {true, false})
+        forTilesAround(work.tile, m_shown->tilesAcross(), [&](std::size_t from) {
+            for (std::uint32_t root = m_firstOfTile[from]; root < m_firstOfTile[from + 1]; ++root)
+                if ((m_kept[root] < 1.0F) == isCut)
+                    forRead(root, [&](std::size_t texel) {
+                        kept[texel] = isCut ? std::min(kept[texel], m_kept[root]) : 1.0F;
+                    });
+        });
+    std::size_t texel = 0;
+    for (int y = rect.y0; y < rect.y1; ++y)
+        for (int x = rect.x0; x < rect.x1; ++x, ++texel) {
+            const auto before = static_cast<float>(m_shown->texel(x, y)[0]);
+            work.mask[texel] = kept[texel] < 1.0F ? 65535 : 0;
+            work.wanted[texel] = kept[texel] < 1.0F ? cutValue(before, kept[texel]) : before;
+        }
+}
+
+/// S. Kaczmarz, Angenaeherte Aufloesung von Systemen linearer Gleichungen, 1937: each root in turn moves the texels
+/// that it is read from by the least that gives what it should read.
+void CutLengths::correct()
+{
+    struct Read
+    {
+        std::array<float*, 4> texels{};
+        std::array<float, 4> weights{}; ///< 0 of a texel that stays.
+        std::array<float, 4> before{};
+        float wanted = 0.0F;
+        float fixed = 0.0F; ///< What those that stay add.
+        float perError = 0.0F;
+    };
+    std::vector<Read> reads;
+    reads.reserve(m_cutRoots.size());
+    const int last = m_shown->size() - 1;
+    for (const std::uint32_t root : m_cutRoots) {
+        const glm::ivec2 first = m_roots[root].first;
+        const glm::vec2 fraction = m_roots[root].fraction;
+        Read read;
+        float now = 0.0F;
+        float squares = 0.0F;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const int x = std::min(first.x + static_cast<int>(k % 2), last);
+            const int y = std::min(first.y + static_cast<int>(k / 2), last);
+            const float weight =
+                (k % 2 == 0 ? 1.0F - fraction.x : fraction.x) * (k / 2 == 0 ? 1.0F - fraction.y : fraction.y);
+            Work& work = m_works[workOf(m_shown->tileIndexAt(x, y))];
+            const std::size_t texel = static_cast<std::size_t>(y % kTile) * kTile + static_cast<std::size_t>(x % kTile);
+            read.texels.at(k) = &work.wanted[texel];
+            read.before.at(k) = static_cast<float>(m_shown->texel(x, y)[0]);
+            now += weight * read.before.at(k);
+            if (work.mask[texel] != 0) {
+                read.weights.at(k) = weight;
+                squares += weight * weight;
+            } else {
+                read.fixed += weight * read.before.at(k);
+            }
+        }
+        read.wanted = cutValue(now, m_kept[root]);
+        if (squares < kLeastWeight)
+            continue; // Its texels are read at roots that stay as they are.
+        read.perError = 1.0F / squares;
+        reads.push_back(read);
+    }
+    const float enough = kErrorM / m_rangeM * 65535.0F;
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+        float worst = 0.0F;
+        for (const Read& read : reads) {
+            float value = read.fixed;
+            for (std::size_t k = 0; k < 4; ++k)
+                value += read.weights[k] * *read.texels[k];
+            const float error = read.wanted - value;
+            worst = std::max(worst, std::abs(error));
+            for (std::size_t k = 0; k < 4; ++k)
+                if (read.weights[k] > 0.0F)
+                    *read.texels[k] =
+                        std::clamp(*read.texels[k] + error * read.weights[k] * read.perError, 0.0F, read.before[k]);
+        }
+        if (worst < enough)
+            break;
+    }
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,45 @@
+// The hair that the 3D area shows, as tools ask for it.
+#pragma once
+
+#include "sim/motion/strand_frame.h"
+#include "sim/skin/skin.h"
+
+#include <QPointF>
+#include <QPolygonF>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// A strand of the picture that a question met.
+struct SeenStrand
+{
+    sim::SurfacePoint root;
+    glm::vec3 positionHd{0.0F}; ///< Where it was met.
+    float alongM = 0.0F;        ///< From the root along the drawn hair to there.
+    float lengthM = 0.0F;       ///< Of the drawn hair, along it.
+    float fraction = 0.0F;      ///< Of its skeleton, 0..1, where it was met.
+    std::uint32_t slot = 0;     ///< Of the target's group.
+};
+
+/// What tools ask of the picture in the 3D area: strands that are seen, not hidden by skin (nor, for under(), by other
+/// hair). Positions in px of the view. GUI thread.
+class SeenHair
+{
+public:
+    virtual ~SeenHair() = default;
+    [[nodiscard]] virtual std::vector<SeenStrand> under(QPointF centre, double radiusPx) const = 0;
+    /// Where each strand first crosses, from its root on. `throughSkin`: also those that skin hides.
+    [[nodiscard]] virtual std::vector<SeenStrand> crossing(std::span<const QPointF> line, bool throughSkin) const = 0;
+    /// Where each strand first goes in.
+    [[nodiscard]] virtual std::vector<SeenStrand> inside(const QPolygonF& lasso, bool throughSkin) const = 0;
+    /// The picture as it is now, whatever the hair does from here on.
+    [[nodiscard]] virtual std::shared_ptr<const SeenHair> held() const = 0;
+    /// The hair of the picture; null where there is none.
+    [[nodiscard]] virtual const sim::GroupFrame* hair() const = 0;
+};
+
+} // namespace hairpaint::model
