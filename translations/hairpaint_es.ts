@@ -628,6 +628,57 @@
     </message>
 </context>
 <context>
+    <name>CutDialog</name>
+    <message>
+        <source>Trim</source>
+        <translation>Recortar</translation>
+    </message>
+    <message>
+        <source>All hair of “%1” becomes shorter by as much; what is shorter than hair may become stays as it is.</source>
+        <translation>Todo el pelo de «%1» se acorta lo mismo; lo que ya es más corto que lo permitido queda como está.</translation>
+    </message>
+    <message>
+        <source>Trim hair</source>
+        <translation>Recortar el pelo</translation>
+    </message>
+    <message>
+        <source>Cut to a level</source>
+        <translation>Cortar a un nivel</translation>
+    </message>
+    <message>
+        <source>Each hair of “%1” that hangs lower ends there, as it lies now.</source>
+        <translation>Cada pelo de «%1» que cuelga más abajo termina ahí, tal como cae ahora.</translation>
+    </message>
+    <message>
+        <source>Cut hair to a level</source>
+        <translation>Cortar el pelo a un nivel</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Capas</translation>
+    </message>
+    <message>
+        <source>Hair of “%1” is cut by its distance from the crown; what is shorter stays as it is.</source>
+        <translation>El pelo de «%1» se corta según su distancia a la coronilla; lo más corto queda como está.</translation>
+    </message>
+    <message>
+        <source>Cut layers</source>
+        <translation>Cortar en capas</translation>
+    </message>
+    <message>
+        <source>Fade</source>
+        <translation>Degradado</translation>
+    </message>
+    <message>
+        <source>Hair of “%1” becomes shorter from the top down to the skin at the sides and the nape; what is shorter stays as it is.</source>
+        <translation>El pelo de «%1» se acorta desde arriba hasta la piel en los lados y la nuca; lo más corto queda como está.</translation>
+    </message>
+    <message>
+        <source>Cut a fade</source>
+        <translation>Cortar un degradado</translation>
+    </message>
+</context>
+<context>
     <name>Drop</name>
     <message>
         <source>Let go to open the project</source>
@@ -3403,6 +3454,46 @@
         <source>Makes all hair of the active group longer, denser or more widely curled by a percentage; a map&apos;s range alone changes no hair</source>
         <translation>Hace todo el pelo del grupo activo más largo, más denso o de rizo más ancho en un porcentaje; el rango de un mapa por sí solo no cambia el pelo</translation>
     </message>
+    <message>
+        <source>C&amp;ut</source>
+        <translation>Co&amp;rtar</translation>
+    </message>
+    <message>
+        <source>The hair is not cut: cancelled</source>
+        <translation>El pelo no se corta: cancelado</translation>
+    </message>
+    <message>
+        <source>&amp;Trim…</source>
+        <translation>&amp;Recortar…</translation>
+    </message>
+    <message>
+        <source>Makes all hair shorter by as much</source>
+        <translation>Acorta todo el pelo lo mismo</translation>
+    </message>
+    <message>
+        <source>To a &amp;level…</source>
+        <translation>A un &amp;nivel…</translation>
+    </message>
+    <message>
+        <source>Ends all hair at one height: ears, jaw, chin, shoulders or any other</source>
+        <translation>Termina todo el pelo a una altura: orejas, mandíbula, mentón, hombros u otra</translation>
+    </message>
+    <message>
+        <source>La&amp;yers…</source>
+        <translation>&amp;Capas…</translation>
+    </message>
+    <message>
+        <source>Cuts hair by its distance from the crown</source>
+        <translation>Corta el pelo según su distancia a la coronilla</translation>
+    </message>
+    <message>
+        <source>&amp;Fade…</source>
+        <translation>&amp;Degradado…</translation>
+    </message>
+    <message>
+        <source>Cuts hair shorter from the top down to the skin at the sides and the nape</source>
+        <translation>Corta el pelo cada vez más corto desde arriba hasta la piel en los lados y la nuca</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::HeadExchange</name>
@@ -4176,6 +4267,81 @@ Se ha perdido esto:</translation>
     </message>
 </context>
 <context>
+    <name>hairpaint::view::CutDialog</name>
+    <message>
+        <source>Cut</source>
+        <translation>Cortar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>There is no hair to cut in this group.</source>
+        <translation>No hay pelo que cortar en este grupo.</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>Shorter by</source>
+        <translation>Más corto en</translation>
+    </message>
+    <message>
+        <source>No shorter than</source>
+        <translation>No más corto que</translation>
+    </message>
+    <message>
+        <source>Above the chin</source>
+        <translation>Sobre el mentón</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>Ears</source>
+        <translation>Orejas</translation>
+    </message>
+    <message>
+        <source>Jaw</source>
+        <translation>Mandíbula</translation>
+    </message>
+    <message>
+        <source>Chin</source>
+        <translation>Mentón</translation>
+    </message>
+    <message>
+        <source>Shoulders</source>
+        <translation>Hombros</translation>
+    </message>
+    <message>
+        <source>Length at the top</source>
+        <translation>Longitud arriba</translation>
+    </message>
+    <message>
+        <source>Length at the crown</source>
+        <translation>Longitud en la coronilla</translation>
+    </message>
+    <message>
+        <source>Length at the hairline</source>
+        <translation>Longitud en el contorno</translation>
+    </message>
+    <message>
+        <source>Length at the nape</source>
+        <translation>Longitud en la nuca</translation>
+    </message>
+    <message>
+        <source>Begins at</source>
+        <translation>Empieza en</translation>
+    </message>
+    <message>
+        <source>Ends at</source>
+        <translation>Termina en</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::DirectionBall</name>
     <message>
         <source>Where the light comes from</source>
@@ -4783,6 +4949,14 @@ Se ha perdido esto:</translation>
     <message>
         <source>The small picture shows what will be saved; turn the head in the 3D area while the dialog is open, and it follows. The ending of the file&apos;s name says its kind: PNG, JPEG, or OpenEXR in linear light for compositing. More samples a pixel make finer hair and take longer.</source>
         <translation>La imagen pequeña muestra lo que se guardará; gira la cabeza en el área 3D mientras el diálogo está abierto y ella la sigue. La terminación del nombre del archivo dice su tipo: PNG, JPEG u OpenEXR en luz lineal para composición. Más muestras por píxel dan un pelo más fino y tardan más.</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Cortar</translation>
+    </message>
+    <message>
+        <source>Hair &gt; Cut shortens all hair of the active group, inside the selection if there is one, and shows it at once. Trim takes as much from every hair. Cut to a level ends each hair where it first goes below a height, as it lies now: let it come to rest before. Layers cuts by the distance from the crown, Fade by the height; both leave what is shorter as it is, and where they begin and end is counted from the crown (0 %) down to the nape (100 %).</source>
+        <translation>Pelo &gt; Cortar acorta todo el pelo del grupo activo, dentro de la selección si la hay, y lo muestra al momento. Recortar quita lo mismo a cada pelo. Cortar a un nivel termina cada pelo donde baja por primera vez de una altura, tal como cae ahora: antes deje que se aquiete. Capas corta según la distancia a la coronilla, Degradado según la altura; ambos dejan lo más corto como está, y dónde empiezan y terminan se cuenta desde la coronilla (0 %) hasta la nuca (100 %).</translation>
     </message>
 </context>
 <context>

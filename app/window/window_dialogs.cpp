@@ -71,15 +71,27 @@ void WindowDialogs::showLight()
 
 void WindowDialogs::showScaleHair()
 {
-    auto* dialog = new view::ScaleHairDialog(m_editor, &m_window);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    addHelpKey(*dialog, view::HelpDialog::Topic::ScaleHair);
+    openInCorner(*new view::ScaleHairDialog(m_editor, &m_window), view::HelpDialog::Topic::ScaleHair);
+}
+
+void WindowDialogs::showCut(view::HairCut kind, std::shared_ptr<const sim::StrandFrame> hair)
+{
+    auto dialog = std::make_unique<view::CutDialog>(m_editor, kind, std::move(hair), &m_window);
+    if (!dialog->canCut())
+        return m_editor.tell(view::CutDialog::nothingToCutText());
+    openInCorner(*dialog.release(), view::HelpDialog::Topic::Cut);
+}
+
+void WindowDialogs::openInCorner(QDialog& dialog, view::HelpDialog::Topic topic)
+{
+    dialog.setAttribute(Qt::WA_DeleteOnClose);
+    addHelpKey(dialog, topic);
     // In the corner of the areas, so that the hair is seen while it changes.
     constexpr int kMenuBar = 24;
     constexpr int kAway = 16;
-    dialog->move(m_window.mapToGlobal(QPoint(view::metrics::kToolBar, kMenuBar + view::metrics::kOptionBar) +
-                                      QPoint(kAway, kAway)));
-    dialog->open();
+    dialog.move(m_window.mapToGlobal(QPoint(view::metrics::kToolBar, kMenuBar + view::metrics::kOptionBar) +
+                                     QPoint(kAway, kAway)));
+    dialog.open();
 }
 
 void WindowDialogs::showPreferences()

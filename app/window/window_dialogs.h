@@ -3,6 +3,7 @@
 
 #include "app/window/action_set.h"
 #include "app/window/live_preferences.h"
+#include "view/dialogs/cut_dialog.h"
 #include "view/dialogs/help_dialog.h"
 
 namespace hairpaint::app {
@@ -16,6 +17,8 @@ public:
     void showWind();
     void showLight();
     void showScaleHair(); ///< Modal.
+    /// Modal; `hair`: of the document as it is, every hair placed.
+    void showCut(view::HairCut kind, std::shared_ptr<const sim::StrandFrame> hair);
     void showPreferences();
     void showHelp(view::HelpDialog::Topic topic);
     void showAbout(const QString& renderer); ///< `renderer`: what draws the 3D area.
@@ -26,6 +29,7 @@ private:
     /// Opens the one dialog of its kind over the window, or brings it to the front.
     template<typename Dialog>
     void showOnly(view::HelpDialog::Topic topic);
+    void openInCorner(QDialog& dialog, view::HelpDialog::Topic topic);
     void showHelpOver(QWidget& over, view::HelpDialog::Topic topic);
 
     QWidget& m_window;

@@ -1,5 +1,5 @@
 // Drawing: 10,000 and 100,000 hairs of 8 segments off-screen, and beside it what the segments of 10,000 cost as bare
-// lines of OpenGL.
+// lines of OpenGL; draw_frames: up to a million at the sizes of the 3D area, of a window and of a large screen.
 #include "sim/base/deterministic.h"
 #include "sim/motion/strand_frame.h"
 #include "view/rendering/gl/gl_renderer.h"
@@ -143,6 +143,44 @@ void drawHairsInSoftware(benchmark::State& state, int samples)
     drawWith(state, renderer, samples);
 }
 
+/// Each frame is waited for. Counters: gpu_ms, what the renderer says that a frame takes; MB, handed over for one.
+void drawFrames(benchmark::State& state)
+{
+    const auto context = currentContext(state);
+    if (!context)
+        return;
+    auto renderer = rendering::GlRenderer::create();
+    if (!renderer) {
+        state.SkipWithError(renderer.error().c_str());
+        return;
+    }
+    const auto still = hangingHair(static_cast<std::size_t>(state.range(0)));
+    const auto moved = std::make_shared<const sim::StrandFrame>(*still);
+    const auto width = static_cast<int>(state.range(1));
+    const auto height = static_cast<int>(state.range(2));
+    const rendering::Quality quality{.detail = 1.0F, .samples = static_cast<int>(state.range(3))};
+    rendering::Scene scene;
+    for (const auto& frame : {still, moved}) {
+        scene.hair = frame;
+        (*renderer)->draw(scene, quality, width, height);
+        glFinish();
+    }
+    bool odd = false;
+    for ([[maybe_unused]] auto _ : state) {
+        odd = !odd;
+        scene.hair = odd ? still : moved;
+        (*renderer)->draw(scene, quality, width, height);
+        glFinish();
+    }
+    const rendering::FrameStatistics& statistics = (*renderer)->statistics();
+    state.SetLabel((*renderer)->description());
+    state.counters["gpu_ms"] = statistics.milliseconds;
+    state.counters["MB"] = static_cast<double>(statistics.uploadedBytes) * 1e-6;
+    state.counters["complete"] = statistics.complete ? 1.0 : 0.0;
+    renderer->reset();
+    context->doneCurrent();
+}
+
 unsigned compiled(unsigned program, unsigned kind, const char* text)
 {
     const unsigned shader = glCreateShader(kind);
@@ -232,6 +270,14 @@ BENCHMARK(drawWithOurOwn)
     ->Name("draw_software")
     ->ArgNames({"hairs", "samples"})
     ->ArgsProduct({{10000, 100000}, {1, 4}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(drawFrames)
+    ->Name("draw_frames")
+    ->ArgNames({"hairs", "width", "height", "samples"})
+    ->ArgsProduct({{100000, 1000000}, {612}, {680}, {1, 4}})
+    ->ArgsProduct({{100000, 1000000}, {1920}, {1080}, {1, 4}})
+    ->ArgsProduct({{100000, 1000000}, {3840}, {2160}, {1, 4}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK(drawBareLines)->Name("draw_limit/lines:80000")->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -132,6 +132,14 @@ QString dialogPages()
                                     "Greatest density, Curl radius) are another thing: they say how far a map "
                                     "reaches, and what is painted stays as long, dense and wide as it is. Hair beyond "
                                     "a narrower range is cut to it.")) +
+           heading(Topic::Cut, HelpDialog::tr("Cut")) +
+           paragraph(
+               HelpDialog::tr("Hair > Cut shortens all hair of the active group, inside the selection if there is "
+                              "one, and shows it at once. Trim takes as much from every hair. Cut to a level ends "
+                              "each hair where it first goes below a height, as it lies now: let it come to rest "
+                              "before. Layers cuts by the distance from the crown, Fade by the height; both leave "
+                              "what is shorter as it is, and where they begin and end is counted from the crown "
+                              "(0 %) down to the nape (100 %).")) +
            heading(Topic::HeadImport, HelpDialog::tr("Import head")) +
            paragraph(
                HelpDialog::tr("A mesh says neither its unit nor which way is up, so both are guessed: the picture "

@@ -26,6 +26,7 @@ public:
         Wind,
         Light,
         ScaleHair,
+        Cut,
         HeadImport,
         HairImport,
         HairExport,

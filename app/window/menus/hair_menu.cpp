@@ -30,6 +30,7 @@ HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, v
     actions.find(QLatin1StringView("hair.scale"))
         ->setToolTip(tr("Makes all hair of the active group longer, denser or more widely curled by a percentage; a "
                         "map's range alone changes no hair"));
+    addCuts(actions, session, dialogs, exchange);
     addSeparator();
     actions.add(*this,
                 {{"hair.addGroup", tr("&Add hair group…"), {}, [&sidebar] { sidebar.askWhatGrows(); }, "group-add"},
@@ -117,6 +118,30 @@ void HairMenu::addWorn(ActionSet& actions, Session& session, view::HeadView& hea
                                  }}});
         actions.find(QLatin1StringView(addId))->setToolTip(model::wornText(spec.addHint).arg(spec.limit));
     }
+}
+
+void HairMenu::addCuts(ActionSet& actions, Session& session, WindowDialogs& dialogs, Exchange& exchange)
+{
+    QMenu* menu = addMenu(tr("C&ut"));
+    menu->setToolTipsVisible(true);
+    const auto cut = [&](const char* id, const QString& text, const QString& toolTip, view::HairCut kind) {
+        const auto run = [&session, &dialogs, &exchange, kind] {
+            view::ToolBox& tools = session.editor().tools();
+            tools.commitStroke();
+            if (!tools.mayPaint({model::MapKind::Length}))
+                return;
+            if (auto hair = exchange.hair().currentHair(tr("The hair is not cut: cancelled")))
+                dialogs.showCut(kind, std::move(hair));
+        };
+        actions.add(*menu, {{.id = id, .text = text, .run = run, .icon = "scissors"}});
+        actions.find(QLatin1StringView(id))->setToolTip(toolTip);
+    };
+    cut("hair.trim", tr("&Trim…"), tr("Makes all hair shorter by as much"), view::HairCut::Trim);
+    cut("hair.cutToLevel", tr("To a &level…"),
+        tr("Ends all hair at one height: ears, jaw, chin, shoulders or any other"), view::HairCut::Level);
+    cut("hair.layers", tr("La&yers…"), tr("Cuts hair by its distance from the crown"), view::HairCut::Layers);
+    cut("hair.fade", tr("&Fade…"), tr("Cuts hair shorter from the top down to the skin at the sides and the nape"),
+        view::HairCut::Fade);
 }
 
 void HairMenu::addMotions(ActionSet& actions, Session& session, view::HeadView& head)

@@ -26,6 +26,7 @@ private:
     void addSkin(ActionSet& actions, Session& session);
     void addSimulation(ActionSet& actions, Session& session);
     void addWorn(ActionSet& actions, Session& session, view::HeadView& head);
+    void addCuts(ActionSet& actions, Session& session, WindowDialogs& dialogs, Exchange& exchange);
     void addMotions(ActionSet& actions, Session& session, view::HeadView& head);
 
     FaceHairSwitch m_faceHair;

@@ -6,6 +6,7 @@
 #include <epoxy/egl.h>
 
 #include <array>
+#include <string_view>
 
 namespace hairpaint::rendering {
 namespace {
@@ -46,8 +47,15 @@ EGLDisplay initialised(EGLDisplay display)
     return EGL_NO_DISPLAY;
 }
 
-/// The first device (a GPU comes before software) on which EGL starts.
-EGLDisplay deviceDisplay()
+bool drawsInSoftware(EGLDeviceEXT device)
+{
+    const char* extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
+    return extensions != nullptr &&
+           std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos;
+}
+
+/// The first GPU on which EGL starts.
+EGLDisplay gpuDisplay()
 {
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device") ||
         !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration"))
@@ -58,6 +66,8 @@ EGLDisplay deviceDisplay()
         return EGL_NO_DISPLAY;
     for (EGLint i = 0; i < count; ++i) {
         EGLDeviceEXT device = devices.at(static_cast<std::size_t>(i));
+        if (drawsInSoftware(device))
+            continue;
         EGLDisplay display = initialised(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
         if (display != EGL_NO_DISPLAY)
             return display;
@@ -95,7 +105,8 @@ tl::expected<std::unique_ptr<OffscreenContext>, std::string> OffscreenContext::c
 {
     if (!epoxy_has_egl())
         return tl::unexpected(std::string("EGL is not installed."));
-    for (const auto candidate : {surfacelessDisplay, deviceDisplay}) {
+    // Where drivers of several makers are installed, a display without surface may be one that draws in software.
+    for (const auto candidate : {gpuDisplay, surfacelessDisplay}) {
         EGLDisplay display = candidate();
         EGLContext context = makeContext(display);
         if (context != EGL_NO_CONTEXT)
