@@ -32,6 +32,10 @@ public:
     void setPictureLine(model::PictureLine line);
     [[nodiscard]] const model::PictureLine& pictureLine() const { return m_pictureLine; }
 
+    /// The strands that the brush would work on, and its ring around the pointer, in this widget's coordinates.
+    void setStrands(std::vector<QPolygonF> strands, const QRectF& ring);
+    [[nodiscard]] const std::vector<QPolygonF>& strands() const { return m_strands; }
+
     /// Three ellipses for each, as wire: the far half is seen, too; the chosen one stands out, with its axes' ends.
     /// None: nothing is shown.
     void setWorn(const std::vector<model::Worn>& worn, model::Id chosen, const rendering::Camera& camera,
@@ -60,6 +64,8 @@ private:
     std::vector<QPolygonF> m_lines; ///< In this widget's coordinates, as the next two.
     QPolygonF m_handles;
     model::PictureLine m_pictureLine;
+    std::vector<QPolygonF> m_strands;
+    QRectF m_strandRing; ///< A circle's.
     std::vector<QPolygonF> m_wornOutlines;
     std::vector<QPolygonF> m_chosen; ///< The chosen one's ellipses among them,
     QPolygonF m_chosenEnds;          ///< and the ends of its axes.

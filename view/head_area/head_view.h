@@ -122,6 +122,7 @@ private:
     void refreshHead();
     void refreshEnvironment();
     void refreshRings();
+    void refreshStrands();
     void refreshOverlay();
     void follow(const Sight& sight);
     [[nodiscard]] Sight shown() const;
