@@ -333,9 +333,21 @@ void HeadView::refreshRings()
 {
     const bool ringDiffers = m_scene->refreshRings();
     m_overlay->setGhost(m_scene->hiddenRing());
+    refreshStrands();
     if (ringDiffers)
         m_pacer->wake();
     m_pointer->updateCursor();
+}
+
+void HeadView::refreshStrands()
+{
+    const std::optional<HoverPoint>& hover = m_state.hover().at();
+    if (!hover || !hover->hair || !m_state.tools().active().traits().hasRing)
+        return m_overlay->setStrands({}, {});
+    const model::OverHair& hair = *hover->hair;
+    const double radiusPx = 0.5 * m_state.tools().settings().brushSizeM * hair.pxPerM;
+    m_overlay->setStrands(m_scene->strandsUnder(hair),
+                          {hair.position - QPointF(radiusPx, radiusPx), QSizeF(2.0 * radiusPx, 2.0 * radiusPx)});
 }
 
 /// What lies over the picture moves with it, not with the camera or the hair, which may be pictures ahead.

@@ -123,6 +123,7 @@ private:
     void refreshHead();
     void refreshEnvironment();
     void refreshRings();
+    void refreshStrands();
     void refreshOverlay();
     void follow(const Sight& sight);
     [[nodiscard]] Sight shown() const;
