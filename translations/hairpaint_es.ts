@@ -3017,6 +3017,18 @@
         <source>How far above or below the line each hair is cut</source>
         <translation>Cuánto por encima o por debajo de la línea se corta cada pelo</translation>
     </message>
+    <message>
+        <source>On what is seen in the 3D area: skin, or hair that hangs over it (T)</source>
+        <translation>Sobre lo que se ve en el área 3D: la piel, o el pelo que cuelga sobre ella (T)</translation>
+    </message>
+    <message>
+        <source>On the skin, through the hair (T)</source>
+        <translation>Sobre la piel, a través del pelo (T)</translation>
+    </message>
+    <message>
+        <source>On the hair that is seen, whatever lies below (T)</source>
+        <translation>Sobre el pelo que se ve, haya lo que haya debajo (T)</translation>
+    </message>
 </context>
 <context>
     <name>Worn</name>
@@ -4088,6 +4100,10 @@ Se ha perdido esto:</translation>
     <message>
         <source>&amp;Larger brush</source>
         <translation>Pincel más &amp;grande</translation>
+    </message>
+    <message>
+        <source>Wor&amp;k on hair or skin</source>
+        <translation>Tra&amp;bajar en el pelo o la piel</translation>
     </message>
 </context>
 <context>

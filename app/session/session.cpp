@@ -30,6 +30,10 @@ Session::Session(model::Project project, QObject* parent)
             QMetaObject::invokeMethod(this, &Session::takeFrame, Qt::QueuedConnection);
     });
     m_worker->setWind(m_document.project().wind);
+    connect(&m_editor.tools(), &view::ToolBox::activeChanged, this, [this] {
+        m_hairOfTool = m_editor.tools().active().pictureHandler() != nullptr ? wholeHair() : nullptr;
+        tellDetail();
+    });
     sendInput();
 }
 

@@ -89,6 +89,7 @@ private:
     float m_drawnDetail = 1.0F;
     float m_placedDetail = 1.0F; ///< As the worker was told.
     std::weak_ptr<const void> m_wholeHair;
+    std::shared_ptr<const void> m_hairOfTool; ///< While a tool may cut it: what is not placed would stay as it is.
     std::unique_ptr<sim::SimulationWorker> m_worker; ///< Last: it calls back until it is gone.
 };
 

@@ -4,6 +4,7 @@
 #include "model/tools/live_edit.h"
 #include "model/tools/mirror.h"
 #include "model/tools/picker_tool.h"
+#include "model/tools/root_dabs.h"
 #include "model/tools/tool_list.h"
 
 #include <algorithm>
@@ -20,8 +21,8 @@ constexpr ToolOption kPressureOpacity{
     .key = "pressure_opacity",
     .label = QT_TRANSLATE_NOOP("ToolOptions", "Pen pressure changes the opacity"),
     .kind = ToolSwitch{.field = &ToolSettings::pressureOpacity, .icon = "pressure-opacity"}};
-constexpr std::array kBrushOptions{&kValueOption,   &kSizeOption,   &kHardnessOption,
-                                   &kOpacityOption, &kPressureSize, &kPressureOpacity};
+constexpr std::array kBrushOptions{&kValueOption,  &kSizeOption,      &kHardnessOption, &kOpacityOption,
+                                   &kPressureSize, &kPressureOpacity, &kTouchOption};
 
 constexpr float kSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
 constexpr float kLeastPressure = 0.05F; ///< A pen that only just touches still leaves a trace.
@@ -36,7 +37,8 @@ constexpr ToolTraits kBrush{
                               "Drag to paint; Shift+click for a straight line from the last point; Ctrl+click picks"),
     .key = Qt::Key_B,
     .options = kBrushOptions,
-    .hasRing = true};
+    .hasRing = true,
+    .worksOnHair = [](const ToolSettings&) { return true; }};
 constexpr ToolTraits kEraser{
     .id = ToolId::Eraser,
     .name = "eraser",
@@ -45,7 +47,8 @@ constexpr ToolTraits kEraser{
     .hint = QT_TRANSLATE_NOOP("Tool", "Drag to erase; Shift+click for a straight line from the last point"),
     .key = Qt::Key_E,
     .options = ToolOptions(kBrushOptions).subspan(1),
-    .hasRing = true};
+    .hasRing = true,
+    .worksOnHair = [](const ToolSettings&) { return true; }};
 
 class BrushTool : public Tool
 {
@@ -63,7 +66,9 @@ public:
 
 private:
     void paintTo(const ToolEvent& event, ToolContext& context);
+    void paintOnHair(const ToolEvent& event, const ToolContext& context);
     void dab(const BrushSample& sample, const ToolContext& context);
+    void add(const Dab& dab, const sim::Texel& value);
     void show();
 
     bool m_erases;
@@ -71,6 +76,7 @@ private:
     LiveEdit m_edit;
     std::optional<StrokeBuffer> m_buffer;
     std::optional<BrushPath> m_path;
+    std::optional<RootDabs> m_roots; ///< Where the stroke goes over hair.
     std::optional<ToolEvent> m_last; ///< Where the next straight line starts; kept between strokes.
     TilePaint m_paint;
 };
@@ -85,6 +91,7 @@ void BrushTool::press(const ToolEvent& event, ToolContext& context)
     m_buffer.emplace(m_edit.size(), m_sided ? m_edit.spec().valueChannels : 0);
     m_path.emplace(head != nullptr ? head->skin.get() : nullptr, context.settings.brushSizeM * kSpacing,
                    kLeastStepTx / static_cast<float>(m_edit.size()));
+    m_roots.emplace(context, m_edit.size());
     m_paint = {.value = context.settings.value(context.target.map).texel(m_edit.spec()),
                .opacity = unit16(context.settings.opacity),
                .erase = m_erases};
@@ -107,7 +114,7 @@ void BrushTool::release(const ToolEvent& event, ToolContext& context)
         return;
     // A pen's last event has no pressure left; it still says where the stroke ends.
     ToolEvent end = event;
-    if (m_last)
+    if (m_last && !event.hair)
         end.pressure = m_last->pressure;
     paintTo(end, context);
     commit(context);
@@ -118,6 +125,7 @@ void BrushTool::cancel(ToolContext& /*context*/)
     m_edit.cancel();
     m_buffer.reset();
     m_path.reset();
+    m_roots.reset();
 }
 
 void BrushTool::commit(ToolContext& /*context*/)
@@ -125,14 +133,43 @@ void BrushTool::commit(ToolContext& /*context*/)
     m_edit.commit();
     m_buffer.reset();
     m_path.reset();
+    m_roots.reset();
 }
 
 void BrushTool::paintTo(const ToolEvent& event, ToolContext& context)
 {
-    m_path->moveTo(event, [&](const BrushSample& sample) { dab(sample, context); });
-    if (event.area == Area::Paint || event.point)
-        m_last = event;
+    if (event.hair) {
+        m_path->lift();
+        paintOnHair(event, context);
+    } else {
+        m_roots->lift();
+        m_path->moveTo(event, [&](const BrushSample& sample) { dab(sample, context); });
+        if (event.area == Area::Paint || event.point)
+            m_last = event;
+    }
     show();
+}
+
+void BrushTool::paintOnHair(const ToolEvent& event, const ToolContext& context)
+{
+    const ToolSettings& settings = context.settings;
+    const float pressure = std::clamp(event.pressure, kLeastPressure, 1.0F);
+    const bool fades = settings.pressureOpacity && texelOps(m_edit.spec()).continuous;
+    const RootDabs::Shape shape{.sizeM = settings.brushSizeM * (settings.pressureSize ? pressure : 1.0F),
+                                .hardness = texelOps(m_edit.spec()).continuous ? settings.hardness : 1.0F,
+                                .strength = fades ? pressure : 1.0F};
+    const Head* head = context.document.project().head.get();
+    for (const RootDab& one : m_roots->moveTo(*event.hair, context, shape, true)) {
+        add(one.dab, m_paint.value);
+        if (one.twin)
+            add(*one.twin, mirroredValue(m_edit.spec(), m_paint.value, head, one.root));
+    }
+}
+
+void BrushTool::add(const Dab& dab, const sim::Texel& value)
+{
+    for (const sim::TexelRect& clip : m_edit.clips())
+        m_sided ? m_buffer->add(dab, clip, value) : m_buffer->add(dab, clip);
 }
 
 void BrushTool::dab(const BrushSample& sample, const ToolContext& context)
@@ -146,10 +183,6 @@ void BrushTool::dab(const BrushSample& sample, const ToolContext& context)
     Dab dab = dabAt(sample.metric, sample.uv, 0.5F * sizeM, size);
     dab.hardness = settings.hardness;
     dab.strength = settings.pressureOpacity && texelOps(m_edit.spec()).continuous ? pressure : 1.0F;
-    const auto add = [this](const Dab& one, const sim::Texel& value) {
-        for (const sim::TexelRect& clip : m_edit.clips())
-            m_sided ? m_buffer->add(one, clip, value) : m_buffer->add(one, clip);
-    };
     add(dab, m_paint.value);
     if (!context.mirror)
         return;

@@ -7,6 +7,7 @@
 #include "model/tools/hold_stroke.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/picker_tool.h"
+#include "model/tools/root_dabs.h"
 #include "model/tools/skin_frames.h"
 #include "model/tools/tool_list.h"
 #include "model/tools/whorl.h"
@@ -59,7 +60,7 @@ constexpr ToolOption kHoldGel{.key = "hold_gel",
                               .kind = ToolNumber{.field = &ToolSettings::holdGel},
                               .isShown = [](const ToolSettings& settings) { return settings.comb == CombKind::Hold; }};
 constexpr std::array kCombOptions{&kCombKind,     &kSizeOption, &kHardnessOption, &kOpacityOption,
-                                  &kCombFlatness, &kLift,       &kHoldGel};
+                                  &kCombFlatness, &kLift,       &kHoldGel,        &kTouchOption};
 
 constexpr float kCombSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
 constexpr float kCombLeastStepTx = 0.5F;
@@ -100,9 +101,14 @@ constexpr ToolTraits kComb{
     .options = kCombOptions,
     .hasRing = true,
     .map = MapKind::Direction,
-    .alsoPaints = [](const ToolSettings& settings) {
-        return settings.comb == CombKind::Hold ? std::optional(MapKind::Gel) : std::nullopt;
-    }};
+    .alsoPaints =
+        [](const ToolSettings& settings) {
+            return settings.comb == CombKind::Hold ? std::optional(MapKind::Gel) : std::nullopt;
+        },
+    .worksOnHair =
+        [](const ToolSettings& settings) {
+            return settings.comb != CombKind::Hold && settings.comb != CombKind::Whorl;
+        }};
 
 class CombTool : public Tool
 {
@@ -143,9 +149,13 @@ private:
     void stamp(const ToolEvent& event, const ToolContext& context);
     void layWhorl(const Whorl& whorl, const ToolSettings& settings);
     void follow(const BrushSample& sample, const ToolContext& context);
+    void combHair(const ToolEvent& event, const ToolContext& context);
+    /// Turns the stroke's direction towards a motion. False where it is none.
+    bool turnTowards(glm::vec3 motionHd, float sizeM);
     void dab(const BrushSample& sample, const ToolContext& context);
     void lay(const Dab& dab, glm::vec3 strokeHd, const sim::SkinFrame& centre, const ToolSettings& settings,
              float pressure);
+    void setReach(const Dab& dab);
     [[nodiscard]] glm::vec2 along(glm::vec2 uv, glm::vec3 strokeHd, const sim::SkinFrame& centre);
     [[nodiscard]] glm::vec2 restyled(glm::vec2 uv, const ToolSettings& settings);
     [[nodiscard]] glm::vec2 smoothed(glm::vec2 uv, glm::vec2 reachUv);
@@ -158,6 +168,8 @@ private:
     std::optional<StrokeBuffer> m_masks;
     std::optional<CombField> m_field;
     std::optional<BrushPath> m_path;
+    std::optional<RootDabs> m_roots;       ///< Where the stroke goes over hair,
+    std::optional<OverHair> m_overHair;    ///< and where it was there last.
     std::unique_ptr<SkinFrames> m_frames;  ///< Kept from stroke to stroke.
     std::optional<FallenHair> m_before;    ///< How hair lay when the stroke began.
     std::optional<ToolEvent> m_last;       ///< Where the next straight line starts; kept between strokes.
@@ -208,6 +220,8 @@ void CombTool::press(const ToolEvent& event, ToolContext& context)
     m_field.emplace(m_edit.size());
     m_path.emplace(head->skin.get(), context.settings.brushSizeM * kCombSpacing,
                    kCombLeastStepTx / static_cast<float>(m_edit.size()));
+    m_roots.emplace(context, m_edit.size());
+    m_overHair.reset();
     m_opacity = unit16(context.settings.opacity);
     m_previous.reset();
     m_strokeHd.reset();
@@ -233,7 +247,7 @@ void CombTool::release(const ToolEvent& event, ToolContext& context)
         return commit(context);
     // A pen's last event has no pressure left; it still says where the stroke ends.
     ToolEvent end = event;
-    if (m_last)
+    if (m_last && !event.hair)
         end.pressure = m_last->pressure;
     combTo(end, context);
     commit(context);
@@ -244,14 +258,23 @@ void CombTool::drop()
     m_masks.reset();
     m_field.reset();
     m_path.reset();
+    m_roots.reset();
     m_before.reset();
 }
 
 void CombTool::combTo(const ToolEvent& event, ToolContext& context)
 {
-    m_path->moveTo(event, [&](const BrushSample& sample) { follow(sample, context); });
-    if (event.area == Area::Paint || event.point)
-        m_last = event;
+    if (event.hair) {
+        m_path->lift();
+        m_previous.reset();
+        combHair(event, context);
+    } else {
+        m_roots->lift();
+        m_overHair.reset();
+        m_path->moveTo(event, [&](const BrushSample& sample) { follow(sample, context); });
+        if (event.area == Area::Paint || event.point)
+            m_last = event;
+    }
     m_edit.update(m_masks->takeDirty(),
                   [this](int index, const sim::RasterTilePtr& tile) { return painted(index, tile); });
 }
@@ -317,17 +340,46 @@ void CombTool::follow(const BrushSample& sample, const ToolContext& context)
         m_waits = true;
         return;
     }
-    if (moved < 1e-6F)
+    if (!turnTowards(motionHd, settings.brushSizeM))
         return;
-    const float smoothingM = std::max(kSmoothing * settings.brushSizeM, kLeastSmoothingM);
-    const glm::vec3 now = motionHd / moved;
-    glm::vec3 way = m_strokeHd ? *m_strokeHd + (now - *m_strokeHd) * (1.0F - std::exp(-moved / smoothingM)) : now;
-    const float length = glm::length(way);
-    m_strokeHd = length > 0.1F ? way / length : now; // Turned right back: no way in between.
     if (std::exchange(m_waits, false))
         dab(*m_previous, context);
     m_previous = sample;
     dab(sample, context);
+}
+
+bool CombTool::turnTowards(glm::vec3 motionHd, float sizeM)
+{
+    const float moved = glm::length(motionHd);
+    if (moved < 1e-6F)
+        return false;
+    const float smoothingM = std::max(kSmoothing * sizeM, kLeastSmoothingM);
+    const glm::vec3 now = motionHd / moved;
+    const glm::vec3 way = m_strokeHd ? *m_strokeHd + (now - *m_strokeHd) * (1.0F - std::exp(-moved / smoothingM)) : now;
+    const float length = glm::length(way);
+    m_strokeHd = length > 0.1F ? way / length : now; // Turned right back: no way in between.
+    return true;
+}
+
+/// Strands that the pointer passes lie along its way from their roots on.
+void CombTool::combHair(const ToolEvent& event, const ToolContext& context)
+{
+    const ToolSettings& settings = context.settings;
+    const std::optional<OverHair> last = std::exchange(m_overHair, event.hair);
+    if (settings.comb == CombKind::Lay) {
+        if (!last)
+            m_strokeHd.reset();
+        if (!last || !turnTowards(event.hair->positionHd - last->positionHd, settings.brushSizeM))
+            return;
+    }
+    const RootDabs::Shape shape{.sizeM = settings.brushSizeM, .hardness = settings.hardness, .twinRoots = true};
+    const glm::vec3 strokeHd = m_strokeHd.value_or(glm::vec3(0.0F));
+    for (const RootDab& one : m_roots->moveTo(*event.hair, context, shape, settings.comb != CombKind::Lay)) {
+        setReach(dabAt(SkinMetric::at(one.root), one.root.uv, 0.5F * settings.brushSizeM, m_edit.size()));
+        lay(one.dab, strokeHd, sim::SkinFrame::at(one.root), settings, event.pressure);
+        if (one.twin && one.twinRoot)
+            lay(*one.twin, strokeHd * kAcross, sim::SkinFrame::at(*one.twinRoot), settings, event.pressure);
+    }
 }
 
 void CombTool::dab(const BrushSample& sample, const ToolContext& context)
@@ -336,6 +388,7 @@ void CombTool::dab(const BrushSample& sample, const ToolContext& context)
     const int size = m_edit.size();
     Dab dab = dabAt(sample.metric, sample.uv, 0.5F * settings.brushSizeM, size);
     dab.hardness = settings.hardness;
+    setReach(dab);
     const glm::vec3 strokeHd = m_strokeHd.value_or(glm::vec3(0.0F));
     lay(dab, strokeHd, sim::SkinFrame::at(*sample.point), settings, sample.pressure);
     if (!context.mirror)
@@ -347,6 +400,7 @@ void CombTool::dab(const BrushSample& sample, const ToolContext& context)
     Dab twin = head.builtIn ? mirroredInU(dab, size)
                             : dabAt(SkinMetric::at(*other), other->uv, 0.5F * settings.brushSizeM, size);
     twin.hardness = dab.hardness;
+    setReach(twin);
     lay(twin, strokeHd * kAcross, sim::SkinFrame::at(*other), settings, sample.pressure);
 }
 
@@ -355,13 +409,16 @@ void CombTool::lay(const Dab& dab, glm::vec3 strokeHd, const sim::SkinFrame& cen
 {
     for (const sim::TexelRect& clip : m_edit.clips())
         m_masks->add(dab, clip);
-    const auto size = static_cast<float>(m_edit.size());
-    m_reachUv = glm::vec2(kSmoothReach) / (size * glm::sqrt(glm::vec2(dab.a, dab.c)));
     const float flatness = settings.flatness * std::clamp(pressure, 0.0F, 1.0F);
     m_field->add(dab, [&](int x, int y) -> std::optional<glm::vec2> {
         const glm::vec2 uv = uvOf(x, y);
         return settings.comb == CombKind::Lay ? along(uv, strokeHd, centre) * flatness : restyled(uv, settings);
     });
+}
+
+void CombTool::setReach(const Dab& dab)
+{
+    m_reachUv = glm::vec2(kSmoothReach) / (static_cast<float>(m_edit.size()) * glm::sqrt(glm::vec2(dab.a, dab.c)));
 }
 
 /// Unit, in the texel's frame. Off the skin, where hair never stands but values bleed in from, in the dab's.

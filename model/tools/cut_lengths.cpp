@@ -17,8 +17,10 @@ namespace {
 constexpr float kSpacings = 2.0F; ///< Of roots: how far from one its texels may lie.
 constexpr float kLeastReachTx = 2.0F, kMostReachTx = 16.0F;
 constexpr int kSweeps = 16;
-constexpr float kErrorM = 1e-4F; ///< Of a hair's length; then the sweeps end.
-constexpr float kLeastWeight = 1e-3F;
+constexpr float kErrorM = 1e-4F;       ///< Of a hair's length; then the sweeps end.
+constexpr float kTooLongM = 1e-3F;     ///< A hair that is too long by less is not seen to be;
+constexpr float kReleasedM = 5e-3F;    ///< where one would be by more, those beside it become shorter, too.
+constexpr float kLeastSquares = 1e-3F; ///< Of the weights of texels that may change.
 
 } // namespace
 
@@ -78,7 +80,7 @@ float CutLengths::cutValue(float value, float kept) const
     return std::clamp((lengthM * kept - m_shortestM) / m_rangeM * 65535.0F, 0.0F, value);
 }
 
-void CutLengths::cut(std::span<const StrandCut> cuts)
+void CutLengths::cut(std::span<const StrandCut> cuts, bool spares)
 {
     for (const std::uint32_t root : m_cutRoots)
         m_kept[root] = 1.0F;
@@ -100,7 +102,7 @@ void CutLengths::cut(std::span<const StrandCut> cuts)
             divide(m_works[i]);
         }
     });
-    correct();
+    correct(spares);
     sim::parallelFor(m_works.size(), 8, [this](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel)
@@ -213,67 +215,80 @@ void CutLengths::divide(Work& work) const
         }
 }
 
+float CutLengths::Read::value() const
+{
+    float sum = 0.0F;
+    for (std::size_t k = 0; k < 4; ++k)
+        sum += weights[k] * *texels[k];
+    return sum;
+}
+
+void CutLengths::Read::move(float by)
+{
+    float squares = 0.0F;
+    for (std::size_t k = 0; k < 4; ++k)
+        squares += *masks[k] != 0 ? weights[k] * weights[k] : 0.0F;
+    if (squares < kLeastSquares)
+        return;
+    for (std::size_t k = 0; k < 4; ++k)
+        if (*masks[k] != 0)
+            *texels[k] = std::clamp(*texels[k] + by * weights[k] / squares, 0.0F, before[k]);
+}
+
+CutLengths::Read CutLengths::readAt(std::uint32_t root)
+{
+    const glm::ivec2 first = m_roots[root].first;
+    const glm::vec2 fraction = m_roots[root].fraction;
+    const int last = m_shown->size() - 1;
+    Read read;
+    float now = 0.0F;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const int x = std::min(first.x + static_cast<int>(k % 2), last);
+        const int y = std::min(first.y + static_cast<int>(k / 2), last);
+        Work& work = m_works[workOf(m_shown->tileIndexAt(x, y))];
+        const std::size_t texel = static_cast<std::size_t>(y % kTile) * kTile + static_cast<std::size_t>(x % kTile);
+        read.texels[k] = &work.wanted[texel];
+        read.masks[k] = &work.mask[texel];
+        read.weights[k] = (k % 2 == 0 ? 1.0F - fraction.x : fraction.x) * (k / 2 == 0 ? 1.0F - fraction.y : fraction.y);
+        read.before[k] = static_cast<float>(m_shown->texel(x, y)[0]);
+        now += read.weights[k] * read.before[k];
+    }
+    read.wanted = cutValue(now, m_kept[root]);
+    return read;
+}
+
 /// S. Kaczmarz, Angenaeherte Aufloesung von Systemen linearer Gleichungen, 1937: each root in turn moves the texels
 /// that it is read from by the least that gives what it should read.
-void CutLengths::correct()
+void CutLengths::correct(bool spares)
 {
-    struct Read
-    {
-        std::array<float*, 4> texels{};
-        std::array<float, 4> weights{}; ///< 0 of a texel that stays.
-        std::array<float, 4> before{};
-        float wanted = 0.0F;
-        float fixed = 0.0F; ///< What those that stay add.
-        float perError = 0.0F;
-    };
+    const float perM = 65535.0F / m_rangeM;
     std::vector<Read> reads;
     reads.reserve(m_cutRoots.size());
-    const int last = m_shown->size() - 1;
-    for (const std::uint32_t root : m_cutRoots) {
-        const glm::ivec2 first = m_roots[root].first;
-        const glm::vec2 fraction = m_roots[root].fraction;
-        Read read;
-        float now = 0.0F;
-        float squares = 0.0F;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const int x = std::min(first.x + static_cast<int>(k % 2), last);
-            const int y = std::min(first.y + static_cast<int>(k / 2), last);
-            const float weight =
-                (k % 2 == 0 ? 1.0F - fraction.x : fraction.x) * (k / 2 == 0 ? 1.0F - fraction.y : fraction.y);
-            Work& work = m_works[workOf(m_shown->tileIndexAt(x, y))];
-            const std::size_t texel = static_cast<std::size_t>(y % kTile) * kTile + static_cast<std::size_t>(x % kTile);
-            read.texels.at(k) = &work.wanted[texel];
-            read.before.at(k) = static_cast<float>(m_shown->texel(x, y)[0]);
-            now += weight * read.before.at(k);
-            if (work.mask[texel] != 0) {
-                read.weights.at(k) = weight;
-                squares += weight * weight;
-            } else {
-                read.fixed += weight * read.before.at(k);
-            }
-        }
-        read.wanted = cutValue(now, m_kept[root]);
-        if (squares < kLeastWeight)
-            continue; // Its texels are read at roots that stay as they are.
-        read.perError = 1.0F / squares;
-        reads.push_back(read);
-    }
-    const float enough = kErrorM / m_rangeM * 65535.0F;
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
-        float worst = 0.0F;
-        for (const Read& read : reads) {
-            float value = read.fixed;
-            for (std::size_t k = 0; k < 4; ++k)
-                value += read.weights[k] * *read.texels[k];
-            const float error = read.wanted - value;
+    for (const std::uint32_t root : m_cutRoots)
+        reads.push_back(readAt(root));
+    float worst = std::numeric_limits<float>::max();
+    for (int sweep = 0; sweep < kSweeps && worst > kErrorM * perM; ++sweep) {
+        worst = 0.0F;
+        for (Read& read : reads) {
+            const float error = read.wanted - read.value();
             worst = std::max(worst, std::abs(error));
-            for (std::size_t k = 0; k < 4; ++k)
-                if (read.weights[k] > 0.0F)
-                    *read.texels[k] =
-                        std::clamp(*read.texels[k] + error * read.weights[k] * read.perError, 0.0F, read.before[k]);
+            read.move(error);
         }
-        if (worst < enough)
-            break;
+    }
+    if (spares)
+        return;
+    worst = std::numeric_limits<float>::max();
+    for (int sweep = 0; sweep < kSweeps && worst > kTooLongM * perM; ++sweep) {
+        worst = 0.0F;
+        for (Read& read : reads) {
+            const float excess = read.value() - read.wanted;
+            worst = std::max(worst, excess);
+            if (excess > kReleasedM * perM)
+                for (std::uint16_t* mask : read.masks)
+                    *mask = 65535;
+            if (excess > kTooLongM * perM)
+                read.move(-excess);
+        }
     }
 }
 

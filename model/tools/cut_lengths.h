@@ -5,6 +5,7 @@
 #include "sim/groom/map_slot.h"
 #include "sim/motion/strand_frame.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,15 +21,18 @@ struct StrandCut
 
 /// Each texel belongs to the nearest root, of the hairs that are placed. Those of roots that are cut are shortened,
 /// except the ones that the map is read from at a root that is not cut; then they are corrected until the map, read
-/// between its texels at each root that is cut, gives the length that it should. One thread; cut() uses parallelFor.
+/// between its texels at each root that is cut, gives the length that it should. Where there are more roots than texels
+/// not all can be had: no hair stays longer than it is cut then, and some become shorter, also of those that are not
+/// cut. One thread; cut() uses parallelFor.
 class CutLengths
 {
 public:
     /// `shown`: the group's length map. 5 ms for 100,000 hairs.
     CutLengths(const sim::GroupFrame& hair, sim::MapRaster shown);
 
-    /// Instead of the cuts before; of one slot's the one that keeps least.
-    void cut(std::span<const StrandCut> cuts);
+    /// Instead of the cuts before; of one slot's the one that keeps least. `spares`: a hair that is not cut never
+    /// changes, and some of those that are stay too long instead.
+    void cut(std::span<const StrandCut> cuts, bool spares);
     /// That the cuts change, in ascending order.
     [[nodiscard]] const std::vector<int>& tiles() const { return m_tiles; }
     /// Of one of those tiles: which texels the cuts change, and their values.
@@ -43,6 +47,19 @@ private:
         glm::ivec2 first{0};      ///< The upper left one of the four texels that are read there.
         glm::vec2 fraction{0.0F}; ///< From its centre toward the lower right one's.
         [[nodiscard]] glm::vec2 positionTx() const { return glm::vec2(first) + fraction; }
+    };
+    /// What the map is read from at a root that is cut.
+    struct Read
+    {
+        std::array<float*, 4> texels{};
+        std::array<std::uint16_t*, 4> masks{};
+        std::array<float, 4> weights{};
+        std::array<float, 4> before{};
+        float wanted = 0.0F;
+
+        [[nodiscard]] float value() const;
+        /// By the least that takes the value there, as far as the texels may change.
+        void move(float by);
     };
     /// A tile that is worked on.
     struct Work
@@ -60,9 +77,10 @@ private:
     }
     [[nodiscard]] float cutValue(float value, float kept) const;
     void findTiles();
+    [[nodiscard]] Read readAt(std::uint32_t root);
     void findOwners(int tile);
     void divide(Work& work) const;
-    void correct();
+    void correct(bool spares);
 
     sim::MapRaster m_shown;
     float m_shortestM = 0.0F, m_rangeM = 1.0F; ///< Of the length map.

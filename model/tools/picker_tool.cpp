@@ -9,7 +9,7 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr std::array kPickerOptions{&kValueOption};
+constexpr std::array kPickerOptions{&kValueOption, &kTouchOption};
 
 constexpr ToolTraits kPicker{.id = ToolId::Picker,
                              .name = "picker",
@@ -18,7 +18,8 @@ constexpr ToolTraits kPicker{.id = ToolId::Picker,
                              .hint = QT_TRANSLATE_NOOP("Tool", "Click to take the value under the pointer"),
                              .key = Qt::Key_I,
                              .options = kPickerOptions,
-                             .paints = false};
+                             .paints = false,
+                             .worksOnHair = [](const ToolSettings&) { return true; }};
 
 class PickerTool : public Tool
 {
@@ -54,10 +55,12 @@ private:
 void pickValue(const ToolEvent& event, ToolContext& context)
 {
     const auto map = context.document.resolvedNow(context.target.group, context.target.map);
-    if (map == nullptr || (event.area == Area::Head && !event.point))
+    const std::optional<sim::SurfacePoint>& point = event.hair ? event.hair->root : event.point;
+    if (map == nullptr || (event.area == Area::Head && !point))
         return;
     const MapSpec& spec = mapSpec(context.target.map);
-    context.settings.value(spec.kind) = texelOps(spec).paintValue(map->sampleNearest(event.uv));
+    context.settings.value(spec.kind) =
+        texelOps(spec).paintValue(map->sampleNearest(event.hair ? point->uv : event.uv));
 }
 
 bool picksInstead(const ToolEvent& event, ToolContext& context)

@@ -177,7 +177,7 @@ void ScissorsTool::movePicture(const PictureEvent& event, ToolContext& context)
         mirror(found);
     m_cuts = found;
     takePresent(found);
-    m_lengths->cut(found);
+    m_lengths->cut(found, context.settings.cutFraction < 1.0F);
     show();
 }
 

@@ -25,6 +25,15 @@ enum class Area : std::uint8_t
     Head
 };
 
+/// Where the pointer is over hair of the 3D area's picture.
+struct OverHair
+{
+    QPointF position;           ///< px of the view.
+    float pxPerM = 1.0F;        ///< px of the view a metre, as far away as the hair.
+    glm::vec3 positionHd{0.0F}; ///< Where the pointer is, as far away as the hair that the stroke began on.
+    std::optional<sim::SurfacePoint> root = {}; ///< Of the strand nearest to the pointer; none between strands.
+};
+
 /// One pointer event, made alike by the paint area and the 3D area.
 struct ToolEvent
 {
@@ -33,6 +42,8 @@ struct ToolEvent
     glm::vec2 uv{0.0F};
     /// Where the pointer is on the skin; none off the head.
     std::optional<sim::SurfacePoint> point = {};
+    /// Set where the tool is to work on the strands that are seen there, and not on the skin: no point then.
+    std::optional<OverHair> hair = {};
     float pressure = 1.0F; ///< 0..1; 1 for a mouse.
     double seconds = 0.0;
     Qt::KeyboardModifiers modifiers = {};
@@ -132,6 +143,8 @@ struct ToolTraits
     std::optional<MapKind> paintsWithCtrl = {};
     /// Another map that it changes too, as it is set: a layer of it must be there to be painted on. Null: none ever.
     std::optional<MapKind> (*alsoPaints)(const ToolSettings& settings) = nullptr;
+    /// Whether it works on strands, too, where they are seen in the 3D area. Null: never.
+    bool (*worksOnHair)(const ToolSettings& settings) = nullptr;
 };
 
 /// Of tools that work on the skin, in both areas.

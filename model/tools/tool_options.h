@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <variant>
@@ -95,6 +96,20 @@ inline constexpr ToolOption kHardnessOption{.key = "hardness",
 inline constexpr ToolOption kOpacityOption{.key = "opacity",
                                            .label = QT_TRANSLATE_NOOP("ToolOptions", "Opacity"),
                                            .kind = ToolNumber{.field = &ToolSettings::opacity}};
+inline constexpr std::array kTouchKinds{
+    ToolChoice::Item{
+        "touch-seen",
+        QT_TRANSLATE_NOOP("ToolOptions", "On what is seen in the 3D area: skin, or hair that hangs over it (T)")},
+    ToolChoice::Item{"touch-skin", QT_TRANSLATE_NOOP("ToolOptions", "On the skin, through the hair (T)")},
+    ToolChoice::Item{"touch-hair",
+                     QT_TRANSLATE_NOOP("ToolOptions", "On the hair that is seen, whatever lies below (T)")},
+};
+inline constexpr ToolOption kTouchOption{
+    .key = "touch",
+    .kind =
+        ToolChoice{.entries = kTouchKinds,
+                   .read = [](const ToolSettings& settings) { return static_cast<int>(settings.touch); },
+                   .write = [](ToolSettings& settings, int index) { settings.touch = static_cast<TouchKind>(index); }}};
 inline constexpr ToolNumber kFlatness{.field = &ToolSettings::flatness};
 inline constexpr const char* kFlatnessLabel = QT_TRANSLATE_NOOP("ToolOptions", "Flatness");
 inline constexpr const char* kFlatnessHint =

@@ -30,6 +30,13 @@ enum class CutKind : std::uint8_t
     Freehand,
     Lasso
 };
+/// What a brush over the 3D area works on.
+enum class TouchKind : std::uint8_t
+{
+    Seen, ///< The skin where it, or hair about its own root, is seen; strands where they hang over other skin, or none.
+    Skin,
+    Hair
+};
 enum class GradientKind : std::uint8_t
 {
     Linear,
@@ -51,6 +58,7 @@ struct ToolSettings
     ShapeKind shape = ShapeKind::Ellipse;
     GradientKind gradient = GradientKind::Linear;
     CombKind comb = CombKind::Lay;
+    TouchKind touch = TouchKind::Seen;
     float flatness = 0.9F;    ///< 0..1 of combed hair: 0 stands upright, 1 lies flat.
     float partReachM = 0.1F;  ///< 0.01..0.2 m to either side of a parting.
     float partGapM = 0.001F;  ///< 0..0.01 m: the width in which a parting has no hair.

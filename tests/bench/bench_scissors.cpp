@@ -37,6 +37,11 @@ public:
     {
         return {};
     }
+    [[nodiscard]] std::vector<model::SeenStrand> passed(QPointF /*from*/, QPointF /*to*/,
+                                                        double /*radiusPx*/) const override
+    {
+        return {};
+    }
     [[nodiscard]] std::vector<model::SeenStrand> crossing(std::span<const QPointF> line,
                                                           bool /*throughSkin*/) const override
     {

@@ -135,6 +135,30 @@ private Q_SLOTS:
                 QCOMPARE(barber.kept(slot), 1.0F);
     }
 
+    void whereTheMapIsTooCoarseNoHairStaysLongerThanItIsCut()
+    {
+        constexpr float kLengthM = 0.12F;
+        Barber barber(64, 0.3F); // Three roots on five texels.
+        barber.settings.cutThrough = true;
+        const std::vector<SeenStrand> crossed = barber.view.crossing(std::array{kFrom, kTo}, true);
+        barber.cut(kFrom, kTo);
+        int exact = 0;
+        for (const SeenStrand& strand : crossed) {
+            const float longerM = (barber.kept(strand.slot) - strand.fraction) * kLengthM;
+            QVERIFY2(longerM < 0.005F, qPrintable(QString::number(double(longerM))));
+            exact += std::abs(longerM) < 0.005F ? 1 : 0;
+        }
+        QVERIFY2(exact > static_cast<int>(crossed.size()) / 2, qPrintable(QString::number(exact)));
+        // Thinning spares the hairs between.
+        barber.document.undo();
+        barber.settings.cutFraction = 0.5F;
+        const Slots cut = slotsOf(crossed);
+        barber.cut(kFrom, kTo);
+        for (const std::uint32_t slot : barber.placed())
+            if (!cut.contains(slot))
+                QCOMPARE(barber.kept(slot), 1.0F);
+    }
+
     void whatIsSeenWhileTheLineIsDrawnIsWhatStays()
     {
         Barber barber;

@@ -25,7 +25,7 @@ void Hover::set(const std::optional<HoverPoint>& at)
 
 std::vector<sim::SurfacePoint> Hover::ringPoints() const
 {
-    if (!m_at || !m_at->point || !m_tools.active().traits().hasRing)
+    if (!m_at || !m_at->point || m_at->hair || !m_tools.active().traits().hasRing)
         return {};
     std::vector<sim::SurfacePoint> points{*m_at->point};
     const std::shared_ptr<const model::Head>& head = m_target.document().project().head;

@@ -18,7 +18,9 @@ struct HoverPoint
 {
     model::Area area = model::Area::Paint;
     glm::vec2 uv{0.0F};
-    std::optional<sim::SurfacePoint> point;
+    std::optional<sim::SurfacePoint> point = {};
+    std::optional<model::OverHair> hair =
+        {}; ///< Where the tool works on the strands that are seen there; no point then.
     float pixelM = model::ToolEvent{}.pixelM;
 };
 
@@ -34,7 +36,7 @@ public:
     /// Tools with something pending hear of it too.
     void set(const std::optional<HoverPoint>& at);
     /// Where both areas draw the brush's rings: under the pointer, and the mirrored twin if there is one. Empty off the
-    /// skin and where the active tool has no ring.
+    /// skin, over strands that the tool works on, and where the active tool has no ring.
     [[nodiscard]] std::vector<sim::SurfacePoint> ringPoints() const;
 
 Q_SIGNALS:

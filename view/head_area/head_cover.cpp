@@ -49,7 +49,7 @@ void HeadCover::refresh()
     m_overlay->setShapes(m_editor.tools().overlay(), m_scene.skin(), sight.camera, sight.pose);
     m_overlay->setPictureLine(m_editor.tools().active().pictureLine());
     m_overlay->setWorn(outlinedWorn(m_editor), m_editor.options().chosenWorn(), sight.camera, sight.pose);
-    refreshRing();
+    m_overlay->setGhost(m_scene.hiddenRing());
     m_directions.refreshSoon();
 }
 
@@ -63,6 +63,18 @@ void HeadCover::refreshWorn()
 void HeadCover::refreshRing()
 {
     m_overlay->setGhost(m_scene.hiddenRing());
+    refreshStrands();
+}
+
+void HeadCover::refreshStrands()
+{
+    const std::optional<HoverPoint>& hover = m_editor.hover().at();
+    if (!hover || !hover->hair || !m_editor.tools().active().traits().hasRing)
+        return m_overlay->setStrands({}, {});
+    const model::OverHair& hair = *hover->hair;
+    const double radiusPx = 0.5 * m_editor.tools().settings().brushSizeM * hair.pxPerM;
+    m_overlay->setStrands(m_scene.strandsUnder(hair),
+                          {hair.position - QPointF(radiusPx, radiusPx), QSizeF(2.0 * radiusPx, 2.0 * radiusPx)});
 }
 
 void HeadCover::showSigns(bool paused, bool refining, std::size_t triangles)

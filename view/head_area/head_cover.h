@@ -33,13 +33,14 @@ public:
     void follow(const Sight& sight);
     void refresh();     ///< Outlines of the tool and of what is worn.
     void refreshWorn(); ///< The same where any of what is worn is shown.
-    void refreshRing(); ///< The brush's, where the head hides it.
+    void refreshRing(); ///< The brush's, where the head hides it; the strands under it, where they are meant.
     void showSigns(bool paused, bool refining, std::size_t triangles);
     void setLookedAt(std::optional<model::MapKind> map);
     void layOut(); ///< Once the area's size or that of a part has changed.
 
 private:
     [[nodiscard]] Sight shown() const;
+    void refreshStrands();
 
     EditorState& m_editor;
     const HeadScene& m_scene;

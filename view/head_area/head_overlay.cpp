@@ -102,6 +102,15 @@ void HeadOverlay::setFalling(std::vector<FallingLine> falling)
     showIfNeeded();
 }
 
+void HeadOverlay::setStrands(std::vector<QPolygonF> strands, const QRectF& ring)
+{
+    if (strands.empty() && m_strands.empty() && ring == m_strandRing)
+        return;
+    m_strands = std::move(strands);
+    m_strandRing = ring;
+    showIfNeeded();
+}
+
 void HeadOverlay::setWorn(const std::vector<model::Worn>& worn, model::Id chosen, const rendering::Camera& camera,
                           const sim::HeadPose& pose)
 {
@@ -162,7 +171,8 @@ void HeadOverlay::setDirectionsFaded(bool faded)
 void HeadOverlay::showIfNeeded()
 {
     setVisible(!m_directions.empty() || !m_lines.empty() || !m_handles.isEmpty() || !m_ghost.isEmpty() ||
-               !m_wornOutlines.empty() || m_pictureLine.line.size() > 1 || !m_falling.empty());
+               !m_wornOutlines.empty() || m_pictureLine.line.size() > 1 || !m_falling.empty() ||
+               !m_strandRing.isEmpty());
     update();
 }
 
@@ -192,6 +202,11 @@ void HeadOverlay::paintEvent(QPaintEvent*)
     for (const QPointF& end : m_chosenEnds)
         painter.drawRect(handleAt(end));
     painter.setBrush(Qt::NoBrush);
+    QColor tint = m_theme.accent;
+    tint.setAlpha(110);
+    painter.setPen(QPen(tint, 1.0));
+    for (const QPolygonF& strand : m_strands)
+        painter.drawPolyline(strand);
     // White on dark, as the rings are: seen on hair and skin of every colour.
     for (const auto& [colour, width] :
          {std::pair(QColor(0, 0, 0, 170), 3.0), std::pair(QColor(255, 255, 255, 235), 1.5)}) {
@@ -202,6 +217,8 @@ void HeadOverlay::paintEvent(QPaintEvent*)
             painter.drawPolygon(m_pictureLine.line);
         else
             painter.drawPolyline(m_pictureLine.line);
+        if (!m_strandRing.isEmpty())
+            painter.drawEllipse(m_strandRing);
     }
     painter.setPen(QPen(QColor(0, 0, 0, 190), 1.0));
     painter.setBrush(QColor(255, 255, 255, 235));

@@ -37,6 +37,10 @@ public:
     void setFalling(std::vector<FallingLine> falling);
     [[nodiscard]] const std::vector<FallingLine>& falling() const { return m_falling; }
 
+    /// The strands that the brush would work on, and its ring around the pointer, in this widget's coordinates.
+    void setStrands(std::vector<QPolygonF> strands, const QRectF& ring);
+    [[nodiscard]] const std::vector<QPolygonF>& strands() const { return m_strands; }
+
     /// Three ellipses for each, as wire: the far half is seen, too; the chosen one stands out, with its axes' ends.
     /// None: nothing is shown.
     void setWorn(const std::vector<model::Worn>& worn, model::Id chosen, const rendering::Camera& camera,
@@ -66,6 +70,8 @@ private:
     QPolygonF m_handles;
     model::PictureLine m_pictureLine;
     std::vector<FallingLine> m_falling;
+    std::vector<QPolygonF> m_strands;
+    QRectF m_strandRing; ///< A circle's.
     std::vector<QPolygonF> m_wornOutlines;
     std::vector<QPolygonF> m_chosen; ///< The chosen one's ellipses among them,
     QPolygonF m_chosenEnds;          ///< and the ends of its axes.

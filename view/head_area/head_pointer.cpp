@@ -57,7 +57,8 @@ HeadPointer::Drag HeadPointer::dragOf(const PointerSample& pressed)
         m_grabbed = m_scene.hairAt(pressed.position);
         return m_grabbed ? Drag::Stroke : Drag::Orbit;
     }
-    return !alt && m_scene.skinAt(pressed.position) ? Drag::Stroke : Drag::Orbit;
+    const bool meets = m_scene.skinAt(pressed.position) || m_scene.overHair(pressed.position);
+    return !alt && meets ? Drag::Stroke : Drag::Orbit;
 }
 
 void HeadPointer::press(const PointerSample& sample)
@@ -210,7 +211,12 @@ void HeadPointer::hoverAt(const PointerSample& sample)
         point = hair->root;
     else
         point = m_scene.skinAt(sample.position);
-    if (point)
+    if (const std::optional<model::OverHair> hair = m_scene.overHair(sample.position))
+        m_editor.hover().set(HoverPoint{.area = model::Area::Head,
+                                        .uv = hair->root ? hair->root->uv : glm::vec2(0.0F),
+                                        .point = hair->root,
+                                        .hair = hair});
+    else if (point)
         m_editor.hover().set(
             HoverPoint{.area = model::Area::Head, .uv = point->uv, .point = point, .pixelM = m_scene.pixelAt(*point)});
     else

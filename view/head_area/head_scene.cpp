@@ -175,6 +175,52 @@ PictureSource HeadScene::pictureSource() const
             .skin = head ? head->skin : nullptr};
 }
 
+std::optional<model::OverHair> HeadScene::overHair(QPointF position, const std::optional<model::OverHair>& began) const
+{
+    constexpr double kPointerPx = 4.0;
+    constexpr float kOwnHairM = 0.02F; ///< Hair so near to its root is painted as the skin below it is.
+    const model::ToolTraits& tool = m_editor.tools().active().traits();
+    const model::ToolSettings& settings = m_editor.tools().settings();
+    if (tool.worksOnHair == nullptr || !tool.worksOnHair(settings) || settings.touch == model::TouchKind::Skin)
+        return std::nullopt;
+    const std::vector<model::SeenStrand> strands = m_seen.under(position, kPointerPx);
+    const auto nearest = std::ranges::min_element(strands, {}, &model::SeenStrand::apart);
+    const auto here = [&] {
+        const glm::vec3 positionHd = besideHd(began ? began->positionHd : nearest->positionHd, position);
+        const Lens lens(m_scene.camera, QSizeF(m_area.size()));
+        return model::OverHair{.position = position,
+                               .pxPerM = lens.pxPerM(lens.seen(inWorld(positionHd, shownPose())).z),
+                               .positionHd = positionHd,
+                               .root = nearest != strands.end() ? std::optional(nearest->root) : std::nullopt};
+    };
+    // Between strands a stroke goes on.
+    if (began && settings.touch == model::TouchKind::Hair)
+        return here();
+    if (strands.empty())
+        return std::nullopt;
+    if (settings.touch == model::TouchKind::Seen) {
+        const std::optional<sim::SurfacePoint> skin = skinAt(position);
+        const float ownM = std::max(kOwnHairM, settings.brushSizeM / 2.0F);
+        const auto hanging = std::ranges::count_if(strands, [&](const model::SeenStrand& one) {
+            return !skin || glm::distance(one.root.positionHd, skin->positionHd) > ownM;
+        });
+        if (2 * static_cast<std::size_t>(hanging) <= strands.size())
+            return std::nullopt;
+    }
+    return here();
+}
+
+std::vector<QPolygonF> HeadScene::strandsUnder(const model::OverHair& hair) const
+{
+    constexpr std::size_t kMost = 80;
+    const double radiusPx = 0.5 * m_editor.tools().settings().brushSizeM * hair.pxPerM;
+    const std::vector<model::SeenStrand> strands = m_seen.under(hair.position, radiusPx);
+    std::vector<QPolygonF> lines;
+    for (std::size_t i = 0; i < std::min(kMost, strands.size()); ++i)
+        lines.push_back(m_seen.picture().curve(strands[i * strands.size() / std::min(kMost, strands.size())].slot));
+    return lines;
+}
+
 glm::vec3 HeadScene::besideHd(glm::vec3 positionHd, QPointF position) const
 {
     const sim::RayHd ray = inHead(rayThrough(m_scene.camera, position, QSizeF(m_area.size())), shownPose());

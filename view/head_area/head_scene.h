@@ -16,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 class QWidget;
 
@@ -73,6 +74,12 @@ public:
     [[nodiscard]] std::optional<model::GrabbedHair> hairAt(QPointF position) const;
     /// The active group's hair as the area shows it.
     [[nodiscard]] const model::SeenHair& seen() const { return m_seen; }
+    /// Where the active tool is to work on the strands that a position shows, and not on the skin there; as far away as
+    /// `began`, where the stroke began on hair.
+    [[nodiscard]] std::optional<model::OverHair> overHair(QPointF position,
+                                                          const std::optional<model::OverHair>& began = {}) const;
+    /// The strands that the brush would work on, some of them where they are many, as they are drawn.
+    [[nodiscard]] std::vector<QPolygonF> strandsUnder(const model::OverHair& hair) const;
     /// Where a position of the area lies that is as far away as a point of the head.
     [[nodiscard]] glm::vec3 besideHd(glm::vec3 positionHd, QPointF position) const;
     /// Where a point of the head lies in the area; none behind the eye.

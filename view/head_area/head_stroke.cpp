@@ -37,8 +37,12 @@ void HeadStroke::press(const PointerSample& sample, const std::optional<model::G
 {
     m_at = sample;
     m_grabbed = grabbed;
+    m_began.reset();
+    m_overHair = false;
     if (m_grabbed)
         m_editor.tools().press(hairEvent(sample));
+    else if (const std::optional<model::ToolEvent> event = strandsEvent(sample))
+        m_editor.tools().press(*event);
     else
         m_editor.tools().press(toolEvent(sample, m_scene.skinAt(sample.position)));
 }
@@ -47,9 +51,14 @@ void HeadStroke::move(const PointerSample& sample)
 {
     if (!m_editor.tools().stroking())
         return;
-    const PointerSample from = std::exchange(m_at, sample);
+    PointerSample from = std::exchange(m_at, sample);
     if (m_grabbed)
         return m_editor.tools().move(hairEvent(sample));
+    const bool wasOverHair = m_overHair;
+    if (const std::optional<model::ToolEvent> event = strandsEvent(sample))
+        return m_editor.tools().move(*event);
+    if (wasOverHair)
+        from = sample; // Over the skin it begins anew.
     const QPointF moved = sample.position - from.position;
     const int steps = std::clamp(static_cast<int>(std::hypot(moved.x(), moved.y()) / kProbePx), 1, kMostProbes);
     PointerSample last = from;
@@ -77,6 +86,8 @@ void HeadStroke::release(const PointerSample& sample)
     move(last);
     if (m_grabbed)
         m_editor.tools().release(hairEvent(sample));
+    else if (const std::optional<model::ToolEvent> event = strandsEvent(last))
+        m_editor.tools().release(*event);
     else
         m_editor.tools().release(toolEvent(sample, m_scene.skinAt(sample.position)));
 }
@@ -95,6 +106,19 @@ model::ToolEvent HeadStroke::toolEvent(const PointerSample& sample, const std::o
                            .again = sample.again};
     if (point)
         event.pixelM = m_scene.pixelAt(*point);
+    return event;
+}
+
+std::optional<model::ToolEvent> HeadStroke::strandsEvent(const PointerSample& sample)
+{
+    const std::optional<model::OverHair> hair = m_scene.overHair(sample.position, m_began);
+    m_overHair = hair.has_value();
+    if (!hair)
+        return std::nullopt;
+    if (!m_began)
+        m_began = hair;
+    model::ToolEvent event = toolEvent(sample, std::nullopt);
+    event.hair = hair;
     return event;
 }
 

@@ -1,4 +1,4 @@
-// A stroke of the active tool over the head's skin, or with hair in the hand.
+// A stroke of the active tool over the head's skin, over the strands that are seen, or with hair in the hand.
 #pragma once
 
 #include "model/tools/tool.h"
@@ -26,12 +26,16 @@ public:
 private:
     [[nodiscard]] model::ToolEvent toolEvent(const PointerSample& sample,
                                              const std::optional<sim::SurfacePoint>& point);
+    /// The tool works on the strands that are seen there, where it does.
+    [[nodiscard]] std::optional<model::ToolEvent> strandsEvent(const PointerSample& sample);
     [[nodiscard]] model::HairEvent hairEvent(const PointerSample& sample) const; ///< With hair in the hand.
 
     EditorState& m_editor;
     const HeadScene& m_scene;
     PointerSample m_at; ///< Last sample of the stroke.
     glm::vec2 m_lastUv{0.0F};
+    std::optional<model::OverHair> m_began;      ///< Where the stroke first went over strands.
+    bool m_overHair = false;                     ///< The last event went over strands.
     std::optional<model::GrabbedHair> m_grabbed; ///< It goes where the pointer goes, over skin and beside it.
 };
 

@@ -63,4 +63,19 @@ std::vector<SeenStrand> HairPicture::inside(const QPolygonF& lasso, bool through
     return struckStrands(*m_hair, LineRows(corners, true), true, throughSkin);
 }
 
+QPolygonF HairPicture::curve(std::uint32_t slot) const
+{
+    QPolygonF line;
+    if (!m_hair)
+        return line;
+    std::vector<glm::vec3> points;
+    m_hair->drawnCurve(slot, points);
+    for (const glm::vec3& positionWo : points) {
+        const glm::vec3 seen = m_hair->lens.seen(positionWo);
+        if (seen.z > 0.0F && !m_hair->skin.hides(seen))
+            line.append(QPointF(static_cast<double>(seen.x), static_cast<double>(seen.y)));
+    }
+    return line;
+}
+
 } // namespace hairpaint::view

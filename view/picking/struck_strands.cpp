@@ -68,6 +68,7 @@ std::optional<SeenStrand> metAt(const PictureHair& picture, std::uint32_t slot, 
                 at = inside && line.contains(glm::vec2(last)) ? std::optional(0.0F)
                                                               : line.firstMeeting(glm::vec2(last), glm::vec2(next));
             if (at && (throughSkin || !picture.skin.hides(last + (next - last) * *at))) {
+                *at = *at * last.z / (*at * last.z + (1.0F - *at) * next.z); // From the picture into the world.
                 const glm::vec3 positionWo = points[i - 1] + (points[i] - points[i - 1]) * *at;
                 met = SeenStrand{.root = picture.rootOf(slot),
                                  .positionHd = picture.inHead(positionWo),
@@ -83,6 +84,7 @@ std::optional<SeenStrand> metAt(const PictureHair& picture, std::uint32_t slot, 
         met->lengthM = lengthM;
     return met;
 }
+
 } // namespace
 
 std::vector<SeenStrand> struckStrands(const PictureHair& picture, const LineRows& line, bool inside, bool throughSkin)

@@ -17,6 +17,15 @@ void changeBrushSize(view::EditorState& editor, float factor)
     editor.tools().setSettings(settings);
 }
 
+/// What is seen, the skin, the hair, and so on.
+void changeTouch(view::EditorState& editor)
+{
+    model::ToolSettings settings = editor.tools().settings();
+    model::putOption(settings, model::kTouchOption,
+                     (static_cast<int>(settings.touch) + 1) % static_cast<int>(model::kTouchKinds.size()));
+    editor.tools().setSettings(settings);
+}
+
 } // namespace
 
 ToolsMenu::ToolsMenu(const QString& title, ActionSet& actions, view::EditorState& editor, QWidget* parent)
@@ -36,6 +45,7 @@ ToolsMenu::ToolsMenu(const QString& title, ActionSet& actions, view::EditorState
     actions.add(*this,
                 {{"tool.swapValues", tr("S&wap values"), {Qt::Key_X}, [&editor] { view::swapValues(editor); }},
                  {"tool.resetValues", tr("&Reset values"), {Qt::Key_D}, [&editor] { view::resetValues(editor); }},
+                 {"tool.touch", tr("Wor&k on hair or skin"), {Qt::Key_T}, [&editor] { changeTouch(editor); }},
                  {"tool.smaller",
                   tr("S&maller brush"),
                   {usualKey(PhysicalKey::BracketLeft)},

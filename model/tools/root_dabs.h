@@ -1,0 +1,55 @@
+// The strands that a brush meets in the 3D area's picture, as small dabs at their roots.
+#pragma once
+
+#include "model/tools/seen_hair.h"
+#include "model/tools/stroke_buffer.h"
+#include "model/tools/tool.h"
+
+#include <optional>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// A strand's root, and its twin on the other side of the head where the stroke is mirrored; on built-in heads the
+/// twin's root only where it is asked for.
+struct RootDab
+{
+    Dab dab;
+    sim::SurfacePoint root;
+    std::optional<Dab> twin = {};
+    std::optional<sim::SurfacePoint> twinRoot = {};
+};
+
+/// Follows a stroke from event to event. A dab is about as wide as the roots stand apart there, so that nothing is left
+/// out between the roots of neighbours that are met, and little is painted of neighbours that are not; its strength
+/// falls off as the brush's does, by how far from the pointer the strand is seen.
+class RootDabs
+{
+public:
+    RootDabs(const ToolContext& context, int mapSize);
+
+    struct Shape
+    {
+        float sizeM = 0.03F; ///< The brush's diameter, as far away as the hair.
+        float hardness = 1.0F;
+        float strength = 1.0F;
+        bool twinRoots = false;
+    };
+    /// Of the strands that the brush met since the last event; `onlyStronger`: but those that it met as strongly
+    /// before.
+    [[nodiscard]] std::vector<RootDab> moveTo(const OverHair& hair, const ToolContext& context, const Shape& shape,
+                                              bool onlyStronger);
+    /// The next event starts anew.
+    void lift() { m_last.reset(); }
+
+private:
+    [[nodiscard]] float spacingM(glm::vec2 uv, float detail) const;
+
+    int m_mapSize;
+    float m_spacingM = 0.001F; ///< Of the group's candidates.
+    std::shared_ptr<const sim::TiledRaster> m_density;
+    std::optional<QPointF> m_last;
+    std::vector<float> m_strengths; ///< By slot: the greatest so far.
+};
+
+} // namespace hairpaint::model
