@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kHairlineKey = 0x656467650A75u; ///< Apart from the keys of other uses of the seed.
 constexpr float kBareBelow = 0.01F;                     ///< Density.
-constexpr float kProbesApart = 0.33F;                   ///< Of the softened width; closer than roots they are not.
+constexpr float kProbesApart = 0.37F;                   ///< Of the softened width; closer than roots they are not.
 constexpr float kWavers = 0.4F;                         ///< By how much of itself that width differs,
 constexpr float kRecedes = 0.3F;                        ///< and by how much of it the edge lies further inside.
 constexpr float kPhase = 4.4F;
@@ -78,10 +78,13 @@ void Hairline::makeCells(float softenM)
         ++m_first[m_cell[roots.slotOfRank[rank]] + 1];
     std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
     m_probe.resize(probes);
+    m_probeHd.resize(probes);
     std::vector<std::uint32_t> next(m_first.begin(), m_first.end() - 1);
     for (std::size_t rank = 0; rank < probes; ++rank) {
         const std::uint32_t slot = roots.slotOfRank[rank];
-        m_probe[next[m_cell[slot]]++] = slot;
+        const std::uint32_t probe = next[m_cell[slot]]++;
+        m_probe[probe] = slot;
+        m_probeHd[probe] = roots.positionHd[slot];
     }
     m_isBare.assign(probes, 0);
     m_bareIn.assign(cells, 0);
@@ -171,12 +174,11 @@ float Hairline::depthAt(std::uint32_t slot) const
         for (std::size_t y = 0; y < 3; ++y) {
             const std::size_t row = cell + z * layer + y * m_size.x - layer - m_size.x - 1;
             for (std::uint32_t probe = m_first[row]; probe < m_first[row + 3]; ++probe) {
-                if (m_isBare[probe] == 0)
-                    continue;
-                const glm::vec3 apart = roots.positionHd[m_probe[probe]] - rootHd;
+                const glm::vec3 apart = m_probeHd[probe] - rootHd;
                 const float squared = glm::dot(apart, apart);
                 // Not the other side of an ear.
-                if (squared < least && glm::dot(roots.normalHd[m_probe[probe]], normalHd) > 0.0F)
+                if (squared < least && m_isBare[probe] != 0 &&
+                    glm::dot(roots.normalHd[m_probe[probe]], normalHd) > 0.0F)
                     least = squared;
             }
         }
