@@ -4,7 +4,7 @@
 
 const float kSectionTwistsPerM = 5.0F; // Of a straight fibre.
 const float kOwnSectionRad = 1.7F;     // By so much hairs of a lock are out of step at most.
-const float kSectionLean = 0.4F;
+const float kSectionLean = 0.9F;
 
 struct Section
 {
@@ -24,6 +24,6 @@ CURVE_FUNCTION Section sectionAt(Num axes, Num turns, Num lengthM, Num phase, Nu
     Section section;
     section.width = root(mean + swing);
     section.glint = 1.0F / ((mean - swing) * root(mean - swing) * section.width);
-    section.lean = (axes - 1.0F) * kSectionLean * shown;
+    section.lean = (1.0F - 1.0F / axes) * kSectionLean * shown;
     return section;
 }

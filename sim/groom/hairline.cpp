@@ -5,6 +5,7 @@
 #include "sim/base/parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -15,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kHairlineKey = 0x656467650A75u; ///< Apart from the keys of other uses of the seed.
 constexpr float kBareBelow = 0.01F;                     ///< Density.
-constexpr float kProbesApart = 0.33F;                   ///< Of the softened width; closer than roots they are not.
+constexpr float kProbesApart = 0.4F;                    ///< Of the softened width; closer than roots they are not.
 constexpr float kWavers = 0.4F;                         ///< By how much of itself that width differs,
 constexpr float kRecedes = 0.3F;                        ///< and by how much of it the edge lies further inside.
 constexpr float kPhase = 4.4F;
@@ -23,6 +24,9 @@ constexpr float kEdgePhase = 1.9F;
 constexpr float kFiner = 2.0F; ///< Teeth of the edge than swellings of the width.
 constexpr float kMostCellsAcross = 96.0F;
 constexpr std::size_t kChunksAtOnce = 4;
+
+/// Of three cells in a row, so that those further away seldom need a look.
+constexpr std::array<std::size_t, 3> kNearFirst{1, 0, 2};
 
 /// From what a probe says to where the edge is, halfway between probes.
 constexpr float kBetweenProbes = 0.4F;
@@ -78,6 +82,8 @@ void Hairline::makeCells(float softenM)
         ++m_first[m_cell[roots.slotOfRank[rank]] + 1];
     std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
     m_probe.resize(probes);
+    m_bare.resize(probes);
+    m_bareHd.resize(probes);
     std::vector<std::uint32_t> next(m_first.begin(), m_first.end() - 1);
     for (std::size_t rank = 0; rank < probes; ++rank) {
         const std::uint32_t slot = roots.slotOfRank[rank];
@@ -114,12 +120,17 @@ void Hairline::readBare(const SlotSet& dirty, std::vector<std::uint8_t>& differs
                 continue;
             const std::uint8_t isBare = m_density[m_probe[probe]] < kBareBelow ? 1 : 0;
             any |= isBare != m_isBare[probe];
-            m_bareIn[cell] += isBare;
-            m_bareIn[cell] -= m_isBare[probe];
             m_isBare[probe] = isBare;
         }
         if (!any)
             continue;
+        m_bareIn[cell] = 0;
+        for (std::uint32_t probe = m_first[cell]; probe < m_first[cell + 1]; ++probe)
+            if (m_isBare[probe] != 0) {
+                const std::uint32_t to = m_first[cell] + m_bareIn[cell]++;
+                m_bare[to] = m_probe[probe];
+                m_bareHd[to] = m_roots->positionHd[m_probe[probe]];
+            }
         const int more = (m_bareIn[cell] != 0 ? 1 : 0) - (before != 0 ? 1 : 0);
         aroundCell(cell, [&](std::size_t around) {
             m_bareAround[around] = static_cast<std::uint8_t>(m_bareAround[around] + more);
@@ -166,20 +177,27 @@ float Hairline::depthAt(std::uint32_t slot) const
         kBetweenProbes * m_spacingM + m_softenM * kRecedes * std::max(wavering(rootHd * kFiner, kEdgePhase), 0.0F);
     const float mostM2 = (widthM + insetM) * (widthM + insetM);
     float least = mostM2;
+    // How far the cells before, the same and those after it are, on each axis.
+    const float cellM = 1.0F / m_perCell;
+    const glm::vec3 inCells = (rootHd - m_originHd) * m_perCell;
+    const glm::vec3 beforeM = (inCells - glm::floor(inCells)) * cellM;
+    const std::array<glm::vec3, 3> awayM{beforeM, glm::vec3(0.0F), cellM - beforeM};
     const std::size_t layer = m_size.x * m_size.y;
-    for (std::size_t z = 0; z < 3; ++z)
-        for (std::size_t y = 0; y < 3; ++y) {
-            const std::size_t row = cell + z * layer + y * m_size.x - layer - m_size.x - 1;
-            for (std::uint32_t probe = m_first[row]; probe < m_first[row + 3]; ++probe) {
-                if (m_isBare[probe] == 0)
+    for (const std::size_t z : kNearFirst)
+        for (const std::size_t y : kNearFirst)
+            for (const std::size_t x : kNearFirst) {
+                const std::size_t other = cell + z * layer + y * m_size.x + x - layer - m_size.x - 1;
+                const glm::vec3 away(awayM[x].x, awayM[y].y, awayM[z].z);
+                if (m_bareIn[other] == 0 || glm::dot(away, away) >= least)
                     continue;
-                const glm::vec3 apart = roots.positionHd[m_probe[probe]] - rootHd;
-                const float squared = glm::dot(apart, apart);
-                // Not the other side of an ear.
-                if (squared < least && glm::dot(roots.normalHd[m_probe[probe]], normalHd) > 0.0F)
-                    least = squared;
+                for (std::uint32_t i = m_first[other]; i < m_first[other] + m_bareIn[other]; ++i) {
+                    const glm::vec3 apart = m_bareHd[i] - rootHd;
+                    const float squared = glm::dot(apart, apart);
+                    // Not the other side of an ear.
+                    if (squared < least && glm::dot(roots.normalHd[m_bare[i]], normalHd) > 0.0F)
+                        least = squared;
+                }
             }
-        }
     return least == mostM2 ? 1.0F : std::clamp((std::sqrt(least) - insetM) / widthM, 0.0F, 1.0F);
 }
 

@@ -55,6 +55,8 @@ private:
     std::vector<std::uint32_t> m_first;     ///< [cells + 1]: the probes in each,
     std::vector<std::uint32_t> m_probe;     ///< their slots,
     std::vector<std::uint8_t> m_isBare;     ///< and whether hair does not grow there.
+    std::vector<std::uint32_t> m_bare;      ///< Slots of those of a cell that are, from its m_first on,
+    std::vector<glm::vec3> m_bareHd;        ///< and where they are.
     std::vector<std::uint32_t> m_bareIn;    ///< [cells]: number of those that are bare.
     std::vector<std::uint8_t> m_bareAround; ///< [cells]: number of cells with such, of itself and those that touch it.
 };

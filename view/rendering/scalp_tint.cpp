@@ -25,11 +25,11 @@ constexpr std::array<glm::vec2, 5> kReads{glm::vec2(0.0F, 0.0F), glm::vec2(kBesi
 
 float densityAround(const sim::MapSampler& density, glm::vec2 uv)
 {
-    float beside = 0.0F;
-    for (std::size_t i = 1; i < kReads.size(); ++i)
-        beside += density.scalar(uv + kReads[i]);
+    const auto at = [&](std::size_t i) { return density.scalar(uv + kReads[i]); };
+    // Dense on both sides of it: beyond an edge there is nothing.
+    const float across = std::max(std::min(at(1), at(4)), std::min(at(2), at(3)));
     // On the rim of an island of the layout there may be nothing beside.
-    return std::max(density.scalar(uv), beside / static_cast<float>(kReads.size() - 1));
+    return std::max(density.scalar(uv), across);
 }
 
 /// All points that vertices read, kReads.size() a vertex.
