@@ -89,8 +89,10 @@ void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderS
     const bool otherColliders = !sameColliders(m_colliders, colliders);
     const bool otherGains = !kept || !sameFor(Affects::Motion, before.settings, m_groom->settings);
     m_colliders = colliders;
-    if (otherGains)
+    if (otherGains) {
         m_gains = gainsOf(m_groom->settings.physics, m_groom->nodes);
+        m_drag = m_gains.drag;
+    }
 
     std::vector<std::size_t> arrived;
     if (sameStrands(before, *m_groom)) {
@@ -292,11 +294,13 @@ void GroupDynamics::rouse()
 }
 
 /// Single strands of a coat that is at rest tremble about where others hold them: the longer nothing moves the hair the
-/// further they may and fall asleep all the same.
+/// more they are damped, and the further they may go and fall asleep all the same.
 std::size_t GroupDynamics::calmDown(std::span<const StepForces> steps)
 {
     const unsigned doublings = doublingsAfter(m_calmSteps);
+    constexpr float kDamps = 0.1F; // Of the speed, in a step.
     m_gains.stillM = kStillM * static_cast<float>(1U << doublings);
+    m_gains.drag = m_drag * (1.0F - kDamps * static_cast<float>(doublings));
     std::size_t count = 0;
     std::size_t calm = m_calmSteps;
     while (count < steps.size() && doublingsAfter(calm) == doublings)

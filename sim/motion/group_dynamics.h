@@ -51,12 +51,13 @@ private:
     void settle(std::span<const std::size_t> strands, const StepForces& calm);
     /// Something else than gravity moves the hair, or did until now.
     void rouse();
-    /// Sets m_gains.stillM; returns for how many of the steps, from the first on, it is right.
+    /// Sets m_gains.stillM and m_gains.drag; returns for how many of the steps, from the first on, it is right.
     [[nodiscard]] std::size_t calmDown(std::span<const StepForces> steps);
 
     std::shared_ptr<const Groom> m_groom;
     ColliderSet m_colliders;
     GroupGains m_gains;
+    float m_drag = 1.0F; ///< m_gains.drag where the hair was not calm for long.
     StrandState m_state;
     std::unique_ptr<HairBody> m_body;
     mutable Dependents m_dependents; ///< Its buffers are reused from frame to frame.

@@ -138,8 +138,7 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
     float girthM = basis[BasisQuantity::Girth][basisIndex];
     if (physics.body > 0.0F)
         girthM = std::max(girthM, std::min(2.0F * physics.body, 1.0F) *
-                                      heldUpM(colliders, std::span(rest).first(nodes), segment,
-                                              basis[BasisQuantity::Height][basisIndex] * physics.volumeM));
+                                      heldUpM(colliders, std::span(rest).first(nodes), segment, physics.volumeM));
     state.field(basisIndex, kGirth) = std::min(girthM, kMostGirthM);
     constexpr float kGivenBack = 0.9F;
     const bool isBraided = basis[BasisQuantity::Girth][basisIndex] > 0.0F;

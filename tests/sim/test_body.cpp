@@ -136,6 +136,7 @@ private Q_SLOTS:
     void atRestNothingCreepsAndNoGridIsMade();
     void aStormOfTenMinutesStaysBounded();
     void threadsMakeNoDifference();
+    void threadsMakeNoDifferenceToCoilsInLocksBesideAParting();
     void instructionSetsMakeNoDifference();
     void howManyStepsAreTakenAtOnceMakesNoDifference();
 };
@@ -291,6 +292,40 @@ void TestBody::threadsMakeNoDifference()
         setThreadCount(threads);
         QVERIFY(sameMotion(*one, *fallenLayers(0.5F, 60)));
     }
+}
+
+void TestBody::threadsMakeNoDifferenceToCoilsInLocksBesideAParting()
+{
+    GroomInput input = coatedBall(0.5F);
+    GroupSettings& settings = input.groups.front().settings;
+    settings.turnsMode = TurnsMode::Coils;
+    settings.lengthAsCut = true;
+    settings.curl = {.inStepFromM = 0.015F, .switchbacksPerM = 5.0F, .skips = 0.06F, .uncoil = 0.15F, .gather = 0.85F};
+    settings.locks = {
+        .sizeM = 0.02F, .small = 0.4F, .flatness = 0.3F, .twistsPerM = 5.0F, .ragged = 0.5F, .parting = 0.3F};
+    settings.variation = {
+        .length = 0.08F, .curl = 0.12F, .width = 0.2F, .crossing = 0.08F, .flyaways = 0.012F, .parting = 0.004F};
+    settings.physics.volumeRiseM = 0.05F;
+    input.groups.front().maps[MapSlot::Curl] = mapOfTexel(1, {65535});
+    // Away from the line between the halves.
+    auto parted = std::make_shared<TiledRaster>(*input.groups.front().maps[MapSlot::Direction]);
+    for (int y = 0; y < parted->size(); ++y)
+        for (int x = 0; x < parted->size(); ++x)
+            parted->setTexel(x, y, texelOfDirection({x < parted->size() / 2 ? -0.9F : 0.9F, 0.0F}));
+    input.groups.front().maps[MapSlot::Direction] = parted;
+    const auto moved = [&](int threads) {
+        setThreadCount(threads);
+        Simulation simulation;
+        simulation.setInput(input);
+        simulation.setWind({true, glm::vec3(5.0F, 1.0F, 2.0F), 0.5F, 0.4F});
+        simulation.settle(0.25);
+        StrandFrame frame;
+        simulation.writeFrame(frame);
+        return std::vector<float>(frame.groups.front().positions.begin(), frame.groups.front().positions.end());
+    };
+    const std::vector<float> one = moved(1);
+    for (const int threads : {2, 8})
+        QVERIFY(moved(threads) == one);
 }
 
 void TestBody::instructionSetsMakeNoDifference()

@@ -167,6 +167,35 @@ private Q_SLOTS:
         QVERIFY2(isWithin(sum / kHairs, skips, 0.1F), qPrintable(QString::number(sum / kHairs)));
     }
 
+    void aCoilKeepsItsRadiusWhereItsHairBends()
+    {
+        // Down, by 90 degrees within three segments, and on to the side.
+        std::vector<glm::vec3> nodes{glm::vec3(0.0F)};
+        for (int i = 0; i < 11; ++i) {
+            const float rad = 0.25F * kFullTurnRad * std::clamp(static_cast<float>(i - 3) / 3.0F, 0.0F, 1.0F);
+            nodes.push_back(nodes.back() + 0.027F * glm::vec3(std::sin(rad), -std::cos(rad), 0.0F));
+        }
+        const CurlSettings curl{.diameterM = 0.015F, .pitchM = 0.039F, .switchbacksPerM = 5.0F, .skips = 0.06F};
+        StrandStyle style = coiled(curl, 0.297F, 1.0F, 0.2F);
+        constexpr int kSegments = 400;
+        std::vector<glm::vec3> wound;
+        evaluateStrand(nodes, {0.0F, 0.0F, 1.0F}, style, kSegments, wound, &curl);
+        style.turns = 0.0F;
+        std::vector<glm::vec3> middle;
+        evaluateStrand(nodes, {0.0F, 0.0F, 1.0F}, style, kSegments, middle, &curl);
+        const auto radii = [&](int from, int to) {
+            std::vector<float> all;
+            for (auto i = static_cast<std::size_t>(from); i < static_cast<std::size_t>(to); ++i)
+                all.push_back(glm::distance(wound[i], middle[i]));
+            std::ranges::sort(all);
+            return all;
+        };
+        const std::vector<float> bent = radii(kSegments * 3 / 11, kSegments * 7 / 11);
+        // A switchback or a leap passes through the middle, within a part of a turn.
+        QVERIFY(isWithin(bent[bent.size() / 2], curl.diameterM * 0.5F, 0.05F));
+        QVERIFY(bent.back() < curl.diameterM * 0.5F * 1.05F);
+    }
+
     void theFinestCoilsAreRound()
     {
         const CurlSettings curl{.diameterM = 0.0025F, .pitchM = 0.002F};
