@@ -367,9 +367,11 @@ void CombTool::combHair(const ToolEvent& event, const ToolContext& context)
     const ToolSettings& settings = context.settings;
     const std::optional<OverHair> last = std::exchange(m_overHair, event.hair);
     if (settings.comb == CombKind::Lay) {
-        if (!last)
+        if (!last) {
             m_strokeHd.reset();
-        if (!last || !turnTowards(event.hair->positionHd - last->positionHd, settings.brushSizeM))
+            return m_roots->standAt(*event.hair);
+        }
+        if (!turnTowards(event.hair->positionHd - last->positionHd, settings.brushSizeM))
             return;
     }
     const RootDabs::Shape shape{.sizeM = settings.brushSizeM, .hardness = settings.hardness, .twinRoots = true};

@@ -39,6 +39,8 @@ public:
     /// before.
     [[nodiscard]] std::vector<RootDab> moveTo(const OverHair& hair, const ToolContext& context, const Shape& shape,
                                               bool onlyStronger);
+    /// Stands at the event without giving dabs.
+    void standAt(const OverHair& hair) { m_last = hair.position; }
     /// The next event starts anew.
     void lift() { m_last.reset(); }
 

@@ -88,13 +88,15 @@ void touchBlock(const PictureHair& picture, std::size_t index, const PictureBrus
     for (std::uint32_t lanes = block.lanes; lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
         const auto slot = static_cast<std::uint32_t>(block.firstSlot + lane);
-        const float stray = strayM(groom, slot);
+        const float stray = picture.boxes.strays[index * kPickLanes + lane];
         const auto at = [&](std::size_t n) {
             return glm::vec3(seen[n][lane], seen[n][kPickLanes + lane], seen[n][2 * kPickLanes + lane]);
         };
         for (std::size_t n = 1; n < nodes; ++n) {
-            if (!spanMeets[(n - 1) / HairBoxes::kSpan])
+            if (!spanMeets[(n - 1) / HairBoxes::kSpan]) {
+                n = ((n - 1) / HairBoxes::kSpan + 1) * HairBoxes::kSpan;
                 continue;
+            }
             const glm::vec3 from = at(n - 1);
             const glm::vec3 to = at(n);
             if (from.z <= 0.0F || to.z <= 0.0F)

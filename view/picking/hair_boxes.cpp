@@ -54,15 +54,18 @@ HairBoxes::HairBoxes(const sim::GroupFrame& group, const Lens& lens)
                         {.firstSlot = static_cast<std::uint32_t>(chunk * sim::kChunkSlots + block * kPickLanes)});
     spans = (nodes - 1 + kSpan - 1) / kSpan;
     boxes.resize(blocks.size() * spans);
+    strays.resize(blocks.size() * kPickLanes);
     sim::parallelFor(blocks.size(), kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
         std::array<float, 3 * kPickLanes> seen{};
         for (std::size_t i = begin; i < end; ++i) {
             Block& block = blocks[i];
             block.lanes = placedLanes(group, block.firstSlot);
             float farthestM = 0.0F;
-            for (std::uint32_t lanes = block.lanes; lanes != 0; lanes &= lanes - 1)
-                farthestM = std::max(
-                    farthestM, strayM(groom, block.firstSlot + static_cast<std::size_t>(std::countr_zero(lanes))));
+            for (std::uint32_t lanes = block.lanes; lanes != 0; lanes &= lanes - 1) {
+                const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+                strays[i * kPickLanes + lane] = strayM(groom, block.firstSlot + lane);
+                farthestM = std::max(farthestM, strays[i * kPickLanes + lane]);
+            }
             const float* node = group.positions.data() + groom.blocks().index(groom.frameStrand(block.firstSlot), 0);
             float nearestM = 1e9F;
             for (std::size_t n = 0; n < nodes; ++n, node += sim::StrandBlocks::kNodeStride) {

@@ -52,6 +52,7 @@ struct HairBoxes
     std::vector<Block> blocks;
     std::size_t spans = 0;         ///< A block.
     std::vector<PictureBox> boxes; ///< [blocks][spans]
+    std::vector<float> strays;     ///< [blocks][kPickLanes] strayM() of placed hairs.
 
     HairBoxes(const sim::GroupFrame& group, const Lens& lens);
 };

@@ -72,7 +72,10 @@ QPolygonF HairPicture::curve(std::uint32_t slot) const
     m_hair->drawnCurve(slot, points);
     for (const glm::vec3& positionWo : points) {
         const glm::vec3 seen = m_hair->lens.seen(positionWo);
-        if (seen.z > 0.0F && !m_hair->skin.hides(seen))
+        const bool isSeen = seen.z > 0.0F && !m_hair->skin.hides(seen);
+        if (!isSeen && !line.isEmpty())
+            break;
+        if (isSeen)
             line.append(QPointF(static_cast<double>(seen.x), static_cast<double>(seen.y)));
     }
     return line;

@@ -30,9 +30,7 @@ std::uint32_t lanesNear(const PictureHair& picture, std::size_t index, const Lin
     const float* node = picture.hair->positions.data() + groom.blocks().index(groom.frameStrand(block.firstSlot), 0);
     std::array<float, 3 * kPickLanes> last{};
     std::array<float, 3 * kPickLanes> next{};
-    std::array<float, kPickLanes> stray{};
-    for (std::size_t lane = 0; lane < kPickLanes; ++lane)
-        stray[lane] = (block.lanes >> lane & 1U) != 0 ? strayM(groom, block.firstSlot + lane) : 0.0F;
+    const float* stray = picture.boxes.strays.data() + index * kPickLanes;
     std::uint32_t found = 0;
     picture.lens.seen(node, last.data());
     for (std::size_t n = 1; n < static_cast<std::size_t>(groom.nodes); ++n, last = next) {

@@ -1,0 +1,210 @@
+// Brushes of the real window over hair that hangs: on the strands that are seen, or on the skin below.
+#include "model/files/preset_file.h"
+#include "model/styles/preset.h"
+#include "sim/groom/direction_texel.h"
+#include "tests/app/window_fixture.h"
+#include "tests/support/test_program.h"
+#include "view/head_area/head_overlay.h"
+#include "view/picking/hair_picture.h"
+
+#include <algorithm>
+
+namespace hairpaint::app {
+
+using model::MapKind;
+using model::TouchKind;
+
+class TestWindowStrands : public QObject, private WindowFixture
+{
+    Q_OBJECT
+private:
+    QPoint m_at; ///< Of the 3D area: hair that hangs far from its roots, over skin.
+    QWidget* m_head = nullptr;
+
+    void openWithLongHair()
+    {
+        model::Project project = model::newProject();
+        const auto preset = model::loadPreset(QStringLiteral(":/presets/long-straight.hairpreset"));
+        QVERIFY(preset.has_value());
+        model::applyPreset(project, *preset);
+        openWindow(std::move(project));
+        awaitNewestHair();
+        awaitFinePicture();
+        m_head = &m_window->headView();
+        const auto seen = seenHair();
+        m_at = {};
+        for (int y = m_head->height() / 3; y < m_head->height() && m_at.isNull(); y += 6)
+            for (int x = 20; x < m_head->width() - 20 && m_at.isNull(); x += 6)
+                if (hangsAt(*seen, {x, y}) && hangsAt(*seen, {x, y + 20}))
+                    m_at = {x, y};
+        QVERIFY(!m_at.isNull());
+    }
+    [[nodiscard]] std::shared_ptr<const view::HairPicture> seenHair()
+    {
+        const view::HeadView& head = m_window->headView();
+        return std::make_shared<const view::HairPicture>(
+            view::PictureSource{.frame = session().frame(),
+                                .group = editor().target().group(),
+                                .camera = head.camera(),
+                                .size = head.size(),
+                                .skin = session().document().project().head->skin});
+    }
+    [[nodiscard]] bool hangsAt(const view::HairPicture& seen, QPoint at)
+    {
+        constexpr float kFarM = 0.06F;
+        const auto skin = m_window->headView().skinAt(at);
+        const auto strands = seen.under(at, 4.0);
+        return skin && strands.size() > 2 && std::ranges::all_of(strands, [&](const model::SeenStrand& one) {
+                   return glm::distance(one.root.positionHd, skin->positionHd) > kFarM;
+               });
+    }
+    void setTools(model::ToolId tool, TouchKind touch)
+    {
+        editor().tools().choose(tool);
+        model::ToolSettings settings = editor().tools().settings();
+        settings.touch = touch;
+        settings.brushSizeM = 0.01F;
+        settings.hardness = 1.0F;
+        settings.value(MapKind::Colour).colour = QColor(255, 0, 0);
+        editor().tools().setSettings(settings);
+    }
+    [[nodiscard]] std::shared_ptr<const sim::TiledRaster> map(MapKind kind)
+    {
+        return session().document().resolvedNow(editor().target().group(), kind);
+    }
+    [[nodiscard]] std::vector<QPoint> differing(const sim::TiledRaster& a, const sim::TiledRaster& b)
+    {
+        std::vector<QPoint> texels;
+        for (int y = 0; y < a.size(); ++y)
+            for (int x = 0; x < a.size(); ++x)
+                if (a.texel(x, y) != b.texel(x, y))
+                    texels.emplace_back(x, y);
+        return texels;
+    }
+    void strokeTo(QPoint to, bool release = true)
+    {
+        QTest::mouseMove(m_head, m_at);
+        QTest::mousePress(m_head, Qt::LeftButton, {}, m_at);
+        for (int i = 1; i <= 5; ++i)
+            QTest::mouseMove(m_head, m_at + (to - m_at) * i / 5);
+        if (release)
+            QTest::mouseRelease(m_head, Qt::LeftButton, {}, to);
+    }
+
+private Q_SLOTS:
+    void initTestCase() { prepareApplication(); }
+    void cleanup() { m_window.reset(); }
+
+    void aStreakIsOfTheStrandsThatItCrosses_data()
+    {
+        QTest::addColumn<TouchKind>("touch");
+        QTest::addColumn<bool>("mirrored");
+        QTest::newRow("what is seen") << TouchKind::Seen << false;
+        QTest::newRow("hair") << TouchKind::Hair << false;
+        QTest::newRow("hair, mirrored") << TouchKind::Hair << true;
+        QTest::newRow("skin") << TouchKind::Skin << false;
+    }
+
+    void aStreakIsOfTheStrandsThatItCrosses()
+    {
+        QFETCH(TouchKind, touch);
+        QFETCH(bool, mirrored);
+        openWithLongHair();
+        editor().target().setMap(MapKind::Colour);
+        editor().options().setMirror(mirrored);
+        setTools(model::ToolId::Brush, touch);
+        const QPoint to = m_at + QPoint(0, 20);
+        const auto seen = seenHair();
+        // The brush is a little larger or smaller than this where hair is nearer or further.
+        const double radiusPx = 0.008 * view::Lens(m_window->headView().camera(), QSizeF(m_head->size())).pxPerM(0.5F);
+        const std::vector<model::SeenStrand> passed = seen->passed(m_at, to, radiusPx);
+        const auto before = map(MapKind::Colour);
+        const int steps = stack().count();
+
+        strokeTo(to, false);
+        const std::vector<QPoint> shown = differing(*before, *map(MapKind::Colour));
+        const auto preview = map(MapKind::Colour);
+        QTest::mouseRelease(m_head, Qt::LeftButton, {}, to);
+        QCOMPARE(stack().count(), steps + 1);
+        QVERIFY(differing(*preview, *map(MapKind::Colour)).empty());
+        QVERIFY(!shown.empty());
+
+        const auto skin = session().document().project().head->skin;
+        const glm::vec2 below = m_window->headView().skinAt(m_at)->uv;
+        const bool onSkin = map(MapKind::Colour)->sampleNearest(below) != before->sampleNearest(below);
+        QCOMPARE(onSkin, touch == TouchKind::Skin);
+        int strange = 0;
+        for (const QPoint& texel : shown) {
+            const auto size = static_cast<float>(before->size());
+            glm::vec2 uv((static_cast<float>(texel.x()) + 0.5F) / size,
+                         1.0F - (static_cast<float>(texel.y()) + 0.5F) / size);
+            const auto isRoot = [&](glm::vec2 at) {
+                const auto point = skin->atUv(at);
+                return point && std::ranges::any_of(passed, [&](const model::SeenStrand& one) {
+                           return glm::distance(one.root.positionHd, point->positionHd) < 0.006F;
+                       });
+            };
+            strange += isRoot(uv) || (mirrored && isRoot({1.0F - uv.x, uv.y})) ? 0 : 1;
+        }
+        if (touch == TouchKind::Skin)
+            QVERIFY(strange > 0);
+        else
+            QCOMPARE(strange, 0);
+        session().document().undo();
+        QVERIFY(differing(*before, *map(MapKind::Colour)).empty());
+    }
+
+    void combedStrandsTurnAtTheirRoots()
+    {
+        openWithLongHair();
+        setTools(model::ToolId::Comb, TouchKind::Seen);
+        const std::vector<model::SeenStrand> strands = seenHair()->under(m_at, 4.0);
+        const model::SeenStrand strand = *std::ranges::min_element(strands, {}, &model::SeenStrand::apart);
+        const glm::vec2 below = m_window->headView().skinAt(m_at)->uv;
+        const auto before = map(MapKind::Direction);
+        strokeTo(m_at + QPoint(20, 0));
+        const auto after = map(MapKind::Direction);
+        QVERIFY(after->sampleNearest(strand.root.uv) != before->sampleNearest(strand.root.uv));
+        QCOMPARE(after->sampleNearest(below), before->sampleNearest(below));
+        session().document().undo();
+        QVERIFY(differing(*before, *map(MapKind::Direction)).empty());
+    }
+
+    void theStrandsThatAreMeantAreShown()
+    {
+        openWithLongHair();
+        editor().target().setMap(MapKind::Colour);
+        setTools(model::ToolId::Brush, TouchKind::Seen);
+        auto* overlay = m_window->headView().findChild<view::HeadOverlay*>();
+        QTest::mouseMove(m_head, m_at + QPoint(0, 1));
+        QTest::mouseMove(m_head, m_at);
+        QVERIFY(!overlay->strands().empty());
+        QVERIFY(editor().hover().ringPoints().empty());
+        key(Qt::Key_T);
+        QCOMPARE(editor().tools().settings().touch, TouchKind::Skin);
+        QTest::mouseMove(m_head, m_at + QPoint(0, 1));
+        QVERIFY(overlay->strands().empty());
+        QVERIFY(!editor().hover().ringPoints().empty());
+        key(Qt::Key_T);
+        key(Qt::Key_T);
+        QCOMPARE(editor().tools().settings().touch, TouchKind::Seen);
+    }
+
+    void aClickWithCtrlTakesWhatTheStrandHasAtItsRoot()
+    {
+        openWithLongHair();
+        editor().target().setMap(MapKind::Length);
+        setTools(model::ToolId::Brush, TouchKind::Hair);
+        const auto strands = seenHair()->under(m_at, 4.0);
+        const glm::vec2 root = std::ranges::min_element(strands, {}, &model::SeenStrand::apart)->root.uv;
+        QTest::mouseClick(m_head, Qt::LeftButton, Qt::ControlModifier, m_at);
+        const float expected = static_cast<float>(map(MapKind::Length)->sampleNearest(root)[0]) / 65535.0F;
+        QVERIFY(expected > 0.1F);
+        QVERIFY(std::abs(editor().tools().settings().value(MapKind::Length).scalar - expected) < 0.001F);
+    }
+};
+
+} // namespace hairpaint::app
+
+HAIRPAINT_TEST(hairpaint::app::TestWindowStrands, Widgets)
+#include "test_window_strands.moc"
