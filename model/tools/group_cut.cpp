@@ -126,7 +126,7 @@ void GroupCut::cut(const std::function<float(std::uint32_t slot, float lengthM)>
         if (const float kept = keptOf(slot, lengthM); kept < 1.0F)
             cuts.push_back({.slot = slot, .kept = kept});
     }
-    m_lengths->cut(cuts);
+    m_lengths->cut(cuts, false);
     m_edit.replace(m_lengths->tiles(), [this](int index, const sim::RasterTilePtr& before) {
         MaskTile mask = m_lengths->mask(index);
         keepInside(m_edit.clips(), m_edit.before().tileRect(index), mask);
