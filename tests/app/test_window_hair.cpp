@@ -6,10 +6,12 @@
 #include "sim/groom/direction_texel.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
+#include "view/dialogs/cut_dialog.h"
 #include "view/head_area/head_overlay.h"
 
 #include <QMenu>
 #include <QPointer>
+#include <QPushButton>
 
 #include <algorithm>
 
@@ -147,6 +149,41 @@ private Q_SLOTS:
         action("hair.hold").trigger();
         QVERIFY(told.size() == 2 && told.back().contains(QStringLiteral("locked")));
         QCOMPARE(stack().count(), 1);
+    }
+
+    void hairIsCutToALevelInOneStep()
+    {
+        openWithStyle("bob");
+        const auto length = map(model::MapKind::Length);
+        const auto dialog = [this] { return m_window->findChild<view::CutDialog*>(); };
+        const auto press = [&](const QString& text) {
+            for (QPushButton* button : dialog()->findChildren<QPushButton*>())
+                if (button->text() == text)
+                    return QTest::mouseClick(button, Qt::LeftButton);
+            QFAIL(qPrintable(text));
+        };
+        action("hair.cutToLevel").trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, kPatienceMs);
+        QVERIFY(*map(model::MapKind::Length) == *length); // As it opens nothing hangs lower.
+        press(QStringLiteral("Ears"));
+        const auto preview = map(model::MapKind::Length);
+        QVERIFY(!(*preview == *length));
+        press(QStringLiteral("Cancel"));
+        QVERIFY(*map(model::MapKind::Length) == *length);
+        QCOMPARE(stack().count(), 0);
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatienceMs);
+
+        action("hair.cutToLevel").trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, kPatienceMs);
+        press(QStringLiteral("Ears"));
+        const auto shown = map(model::MapKind::Length);
+        press(QStringLiteral("Cut"));
+        QCOMPARE(stack().count(), 1);
+        QCOMPARE(stack().undoText(), QStringLiteral("Cut hair to a level"));
+        QVERIFY(*map(model::MapKind::Length) == *shown);
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatienceMs);
+        session().document().undo();
+        QVERIFY(*map(model::MapKind::Length) == *length);
     }
 
     void theCombHoldsUnderItsDabs()

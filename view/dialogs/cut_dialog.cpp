@@ -24,6 +24,7 @@ constexpr double kCmPerM = 100.0;
 constexpr double kPercent = 100.0;
 constexpr float kJaw = 0.55F; ///< Of the height from the ears' openings down to the chin: the corner of the jaw.
 constexpr double kAboveChinCm = 30.0;
+constexpr double kFadeTopCm = 5.0;
 
 struct CutText
 {
@@ -185,11 +186,11 @@ void CutDialog::addGrade(bool fades)
         std::tie(grade.bottomHd, grade.topHd) = m_cut.lowestAndHighestRoot();
     }
     const BarSlider* top = addLength(fades ? tr("Length at the top") : tr("Length at the crown"), longestCm,
-                                     fades ? longestCm : 0.5 * longestCm);
+                                     fades ? kFadeTopCm : 0.5 * longestCm);
     const BarSlider* bottom =
         addLength(fades ? tr("Length at the hairline") : tr("Length at the nape"), longestCm, fades ? 0.1 : longestCm);
-    const BarSlider* from = addSlider(tr("Begins at"), 0.0, kPercent, 0, fades ? 35.0 : 0.0, QStringLiteral("%"));
-    const BarSlider* to = addSlider(tr("Ends at"), 0.0, kPercent, 0, fades ? 75.0 : kPercent, QStringLiteral("%"));
+    const BarSlider* from = addSlider(tr("Begins at"), 0.0, kPercent, 0, fades ? 10.0 : 0.0, QStringLiteral("%"));
+    const BarSlider* to = addSlider(tr("Ends at"), 0.0, kPercent, 0, fades ? 50.0 : kPercent, QStringLiteral("%"));
     m_preview = [this, grade, top, bottom, from, to]() mutable {
         grade.topM = static_cast<float>(top->value() / kCmPerM);
         grade.bottomM = static_cast<float>(bottom->value() / kCmPerM);
