@@ -13,7 +13,8 @@ constexpr int kFewestSegments = 8, kMostSegments = 48; ///< Of a whole hair: pie
 
 } // namespace
 
-std::vector<CutPiece> cutPieces(const sim::GroupFrame& hair, std::span<const StrandCut> cuts, std::size_t most)
+std::vector<CutPiece> cutPieces(const sim::GroupFrame& hair, const glm::quat& rotation, std::span<const StrandCut> cuts,
+                                std::size_t most)
 {
     const sim::Groom& groom = *hair.groom;
     const sim::CurlSettings* coils = sim::coilsOf(groom.settings);
@@ -26,7 +27,7 @@ std::vector<CutPiece> cutPieces(const sim::GroupFrame& hair, std::span<const Str
         const sim::StrandStyle& style = groom.style(slot);
         const int segments = std::clamp(sim::segmentsOf(style, groom.nodes, coils), kFewestSegments, kMostSegments);
         groom.blocks().read(hair.positions, groom.frameStrand(slot), nodes);
-        sim::evaluateStrand(nodes, sim::frameTangentHd(groom, slot), style, segments, points, coils);
+        sim::evaluateStrand(nodes, rotation * sim::frameTangentHd(groom, slot), style, segments, points, coils);
         const float along = std::clamp(cuts[i].kept, 0.0F, 1.0F) * static_cast<float>(segments);
         const auto first = std::min(static_cast<std::size_t>(along), points.size() - 2);
         points[first] = glm::mix(points[first], points[first + 1], along - static_cast<float>(first));

@@ -4,6 +4,7 @@
 #include "model/tools/cut_lengths.h"
 
 #include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include <cstdint>
 #include <span>
@@ -17,8 +18,8 @@ struct CutPiece
     std::uint32_t colour = 0; ///< 0xAABBGGRR, sRGB as encoded.
 };
 
-/// Of hair that was cut: at most `most`, spread evenly over them.
-[[nodiscard]] std::vector<CutPiece> cutPieces(const sim::GroupFrame& hair, std::span<const StrandCut> cuts,
-                                              std::size_t most);
+/// Of hair that was cut, of a head that is turned so: at most `most`, spread evenly over them.
+[[nodiscard]] std::vector<CutPiece> cutPieces(const sim::GroupFrame& hair, const glm::quat& rotation,
+                                              std::span<const StrandCut> cuts, std::size_t most);
 
 } // namespace hairpaint::model

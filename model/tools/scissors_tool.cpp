@@ -105,10 +105,11 @@ public:
         m_edit.cancel();
         drop();
     }
-    void commit(ToolContext& /*context*/) override
+    void commit(ToolContext& context) override
     {
         if (active() && m_lengths)
-            m_cutOff = cutPieces(*m_seen->hair(), m_cuts, kMostPieces);
+            m_cutOff = cutPieces(*m_seen->hair(), context.hair ? context.hair->pose.rotation : sim::HeadPose{}.rotation,
+                                 m_cuts, kMostPieces);
         m_edit.commit();
         drop();
     }

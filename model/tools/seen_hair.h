@@ -26,8 +26,8 @@ struct SeenStrand
     std::uint32_t slot = 0;     ///< Of the target's group.
 };
 
-/// What tools ask of the picture in the 3D area: strands that are seen, not hidden by skin (nor, for under() and passed(), by other
-/// hair). Positions in px of the view. GUI thread.
+/// What tools ask of the picture in the 3D area: strands that are seen, not hidden by skin (nor, for under() and
+/// passed(), by other hair). Positions in px of the view. GUI thread.
 class SeenHair
 {
 public:

@@ -1,5 +1,5 @@
 // Scissors: what a line over the picture leaves in the length map.
-#include "model/tools/cut_lengths.h"
+#include "model/tools/cut_pieces.h"
 #include "sim/groom/strand_style.h"
 #include "tests/model/side_view.h"
 #include "tests/model/tool_studio.h"
@@ -182,6 +182,24 @@ private Q_SLOTS:
         QVERIFY(*barber.shown() == *barber.before);
         barber.document.redo();
         QVERIFY(*barber.shown() == *live);
+    }
+
+    void whatIsCutOffIsGivenOnceAndBeginsAtTheLine()
+    {
+        Barber barber;
+        const std::vector<SeenStrand> crossed = barber.view.crossing(std::array{kFrom, kTo}, false);
+        barber.cut(kFrom, kTo);
+        const std::vector<CutPiece> pieces = barber.scissors().takeCutOff();
+        QCOMPARE(pieces.size(), crossed.size());
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            QVERIFY(pieces[i].pointsWo.size() >= 2);
+            QVERIFY(glm::distance(pieces[i].pointsWo.front(), crossed[i].positionHd) < 0.002F);
+        }
+        QVERIFY(barber.scissors().takeCutOff().empty());
+        QCOMPARE(cutPieces(*barber.view.hair(), glm::quat(1.0F, 0.0F, 0.0F, 0.0F),
+                           std::vector<StrandCut>(1000, {.slot = crossed.front().slot, .kept = 0.5F}), 100)
+                     .size(),
+                 std::size_t{100});
     }
 
     void escapeLeavesNoTraceAndAClickOrALineBesideHairCutsNothing()
