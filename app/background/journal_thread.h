@@ -24,7 +24,7 @@ public:
         enum class Kind
         {
             Append,
-            TakeOver,  ///< In place of all that was appended.
+            TakeOver,  ///< Instead of all that was appended.
             MarkClean, ///< What was appended last is saved.
             LookAfter  ///< Appends where the folder is gone or the task before could not be done, else does nothing.
         };

@@ -48,7 +48,7 @@ public:
     void setDrawTime(double milliseconds);
     /// Hairs whose StrandStyle::detail is below are drawn: while hair moves no others need be placed.
     void setDrawnDetail(float detail);
-    /// As long as somebody holds it frames place every hair, and hair() waits for one that does.
+    /// As long as somebody holds it frames hold every hair, and hair() waits for one that does.
     [[nodiscard]] std::shared_ptr<const void> wholeHair();
 
 public Q_SLOTS:

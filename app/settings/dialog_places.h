@@ -29,7 +29,7 @@ struct DialogRoom
 /// The position nearest to `wanted` that is inside the screen.
 [[nodiscard]] QPoint insideScreen(QPoint wanted, QSize size, const QRect& screen);
 
-/// Places the window's dialogs when they are shown, and keeps where the user moves them. Questions, file dialogs and
+/// Moves the window's dialogs when they are shown, and keeps where the user moves them. Questions, file dialogs and
 /// what tells of long work stay in the middle, where the system puts them. GUI thread.
 class DialogPlaces : public QObject
 {

@@ -145,18 +145,18 @@ void Settings::setToolOption(const QString& key, double value)
 
 std::optional<QPoint> Settings::dialogPlace(const QString& dialog) const
 {
-    const QVariantList place = m_settings.value(QStringLiteral("places/") + dialog).toList();
-    if (place.size() != 2)
+    const QVariantList position = m_settings.value(QStringLiteral("places/") + dialog).toList();
+    if (position.size() != 2)
         return std::nullopt;
     const auto coordinate = [](const QVariant& value) {
         return static_cast<int>(std::clamp(value.toDouble(), -kFarthestPx, kFarthestPx));
     };
-    return QPoint(coordinate(place[0]), coordinate(place[1]));
+    return QPoint(coordinate(position[0]), coordinate(position[1]));
 }
 
-void Settings::setDialogPlace(const QString& dialog, QPoint place)
+void Settings::setDialogPlace(const QString& dialog, QPoint position)
 {
-    m_settings.setValue(QStringLiteral("places/") + dialog, QVariantList{place.x(), place.y()});
+    m_settings.setValue(QStringLiteral("places/") + dialog, QVariantList{position.x(), position.y()});
 }
 
 std::optional<QKeySequence> Settings::key(const QString& actionId) const

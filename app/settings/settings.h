@@ -51,7 +51,7 @@ public:
 
     /// Where the user left a dialog, global px; none where it stays where it opens.
     [[nodiscard]] std::optional<QPoint> dialogPlace(const QString& dialog) const;
-    void setDialogPlace(const QString& dialog, QPoint place);
+    void setDialogPlace(const QString& dialog, QPoint position);
 
     /// A rebound key; none where the default holds.
     [[nodiscard]] std::optional<QKeySequence> key(const QString& actionId) const;

@@ -10,8 +10,8 @@
 
 namespace hairpaint::app {
 
-/// Holds what was copied last, which other programs get as an image; an image that one of them copied since takes its
-/// place. Works on the active layer of the session, which outlives it; each change is one undo
+/// Holds what was copied last, which other programs get as an image; an image that one of them copied since replaces
+/// it. Works on the active layer of the session, which outlives it; each change is one undo
 /// step. GUI thread.
 class ClipCommands : public QObject
 {

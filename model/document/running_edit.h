@@ -8,7 +8,7 @@
 
 namespace hairpaint::model {
 
-/// Committed content with its parts edited and its tiles in place.
+/// Committed content with its parts edited and its tiles put in.
 struct RunningEdit
 {
     std::uint64_t session = 0;

@@ -185,7 +185,7 @@ std::optional<QString> problemOf(const sim::MeshBounds& bounds)
     return std::nullopt;
 }
 
-/// A file may place them anywhere. Those that lie on the skin stay as they are, bit for bit.
+/// A file may have them at any position. Those that lie on the skin stay as they are, bit for bit.
 void takeToSkin(sim::HeadLandmarks& landmarks, const sim::Skin& skin)
 {
     const float tolerance = 1e-3F * glm::length(sim::boundsOf(skin.mesh()).size());

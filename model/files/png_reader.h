@@ -42,7 +42,7 @@ struct PngParts
 
 /// Inflates and unfilters one row after another, an image of our own quicker than others. Throws std::bad_alloc where
 /// there is no memory. Holds 64 rows at most, however large the image is. Where the stream is broken it gives the rows
-/// before that place.
+/// before that offset.
 class PngRows
 {
 public:

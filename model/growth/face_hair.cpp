@@ -34,8 +34,8 @@ struct FaceGroup
     const char* kind; ///< A HairKind's name.
     int mapSize;
     /// Roughly how far within the region a point is, m; nothing grows further out than kReachM.
-    float (*inside)(const heads::HeadRegions& regions, const glm::vec3& place);
-    Growth (*at)(const heads::HeadRegions& regions, const glm::vec3& place);
+    float (*inside)(const heads::HeadRegions& regions, const glm::vec3& positionHd);
+    Growth (*at)(const heads::HeadRegions& regions, const glm::vec3& positionHd);
 };
 
 float faded(float from, float to, float x)
@@ -47,32 +47,39 @@ float faded(float from, float to, float x)
 constexpr std::array kFaceGroups{
     // All of the scalp, thinner over the last centimetre of the hairline.
     FaceGroup{"Scalp", kMapSize,
-              [](const heads::HeadRegions& regions, const glm::vec3& place) { return regions.scalpDistance(place); },
-              [](const heads::HeadRegions& regions, const glm::vec3& place) {
-                  return Growth{.density = faded(-0.003F, 0.007F, regions.scalpDistance(place)), .length = 0.5F};
+              [](const heads::HeadRegions& regions, const glm::vec3& positionHd) {
+                  return regions.scalpDistance(positionHd);
+              },
+              [](const heads::HeadRegions& regions, const glm::vec3& positionHd) {
+                  return Growth{.density = faded(-0.003F, 0.007F, regions.scalpDistance(positionHd)), .length = 0.5F};
               }},
-    FaceGroup{"Brows", kFineMapSize,
-              [](const heads::HeadRegions& regions, const glm::vec3& place) { return regions.browDistance(place); },
-              [](const heads::HeadRegions& regions, const glm::vec3& place) {
-                  const float inside = regions.browDistance(place);
-                  return Growth{.density = faded(-0.0008F, 0.0022F, inside),
-                                .length = 0.25F + 0.20F * faded(0.0F, 0.0035F, inside)};
-              }},
+    FaceGroup{
+        "Brows", kFineMapSize,
+        [](const heads::HeadRegions& regions, const glm::vec3& positionHd) { return regions.browDistance(positionHd); },
+        [](const heads::HeadRegions& regions, const glm::vec3& positionHd) {
+            const float inside = regions.browDistance(positionHd);
+            return Growth{.density = faded(-0.0008F, 0.0022F, inside),
+                          .length = 0.25F + 0.20F * faded(0.0F, 0.0035F, inside)};
+        }},
     FaceGroup{"Lashes", kFineMapSize,
-              [](const heads::HeadRegions& regions, const glm::vec3& place) { return -regions.lashDistance(place); },
-              [](const heads::HeadRegions& regions, const glm::vec3& place) {
+              [](const heads::HeadRegions& regions, const glm::vec3& positionHd) {
+                  return -regions.lashDistance(positionHd);
+              },
+              [](const heads::HeadRegions& regions, const glm::vec3& positionHd) {
                   float along = 0.0F;
-                  const float distance = regions.lashDistance(place, &along);
+                  const float distance = regions.lashDistance(positionHd, &along);
                   const float fromCorner = std::min(along, 1.0F - along);
                   return Growth{.density = 1.0F - faded(0.0008F, 0.0014F, distance),
                                 .length = 0.35F + 0.25F * faded(0.0F, 0.3F, fromCorner) + 0.20F * along};
               }},
     // A full beard of 2 cm, thinner and shorter toward its edge, thickest on lip and chin.
     FaceGroup{"Beard", kMapSize,
-              [](const heads::HeadRegions& regions, const glm::vec3& place) { return regions.beardDistance(place); },
-              [](const heads::HeadRegions& regions, const glm::vec3& place) {
-                  const float inside = regions.beardDistance(place);
-                  const float cheek = faded(0.025F, 0.045F, std::abs(place.x));
+              [](const heads::HeadRegions& regions, const glm::vec3& positionHd) {
+                  return regions.beardDistance(positionHd);
+              },
+              [](const heads::HeadRegions& regions, const glm::vec3& positionHd) {
+                  const float inside = regions.beardDistance(positionHd);
+                  const float cheek = faded(0.025F, 0.045F, std::abs(positionHd.x));
                   return Growth{.density = faded(-0.003F, 0.0025F * cheek - 0.001F, inside) * (1.0F - 0.25F * cheek),
                                 .length = 0.12F + 0.14F * faded(0.0F, 0.010F, inside)};
               }},
@@ -97,8 +104,8 @@ void paint(HairGroup& group, const FaceGroup& what, const Head& head)
         glm::vec2 high(0.0F);
         bool grows = false;
         for (int corner = 0; corner < 3; ++corner) {
-            const glm::vec3& place = mesh.positionsHd[t[corner]];
-            grows = grows || what.inside(regions, place) > -kReachM;
+            const glm::vec3& positionHd = mesh.positionsHd[t[corner]];
+            grows = grows || what.inside(regions, positionHd) > -kReachM;
             low = glm::min(low, mesh.uvs[t[corner]]);
             high = glm::max(high, mesh.uvs[t[corner]]);
         }

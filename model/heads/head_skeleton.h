@@ -63,7 +63,7 @@ struct JointPlace
 [[nodiscard]] std::vector<JointPlace> placesOf(const HeadSkeleton& skeleton);
 /// The joints' own translation and rotation, so that they come to stand there.
 void setPlaces(HeadSkeleton& skeleton, const std::vector<JointPlace>& places);
-/// Takes what stands at the place to the joint's own frame.
+/// From the frame that the joint stands in to the joint's own.
 [[nodiscard]] glm::mat4 inverseBind(const JointPlace& place);
 
 } // namespace hairpaint::model

@@ -44,7 +44,7 @@ constexpr float kLeastBraided = 0.5F; ///< Of what is looked at.
 constexpr float kShortestBraidM = 0.03F;
 // Of braids that our own kinds make: the fraction of the square of distances that strands go from side to side is .64
 // to .67 in plaits, .6 in twists; .53 and .75 of turning are in one direction; strands cross one way 2.0 to 2.2 times
-// as often as the other, and 1.2; places agree, as axes, by .33 and .57. Locks of ringlets come near the one or the
+// as often as the other, and 1.2; positions agree, as axes, by .33 and .57. Locks of ringlets come near the one or the
 // other.
 constexpr Range kWeaves{0.5F, 0.8F};
 constexpr float kLies = 0.25F; ///< In a loc; 0 in ours.

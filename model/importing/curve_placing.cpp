@@ -112,10 +112,10 @@ private:
         constexpr float kScalpWidthM = 0.155F;
         float topM = std::numeric_limits<float>::lowest();
         glm::vec3 top(0.0F);
-        for (const glm::vec3& place : m_skin.mesh().positionsHd)
-            if (place.y > topM) {
-                topM = place.y;
-                top = place;
+        for (const glm::vec3& positionHd : m_skin.mesh().positionsHd)
+            if (positionHd.y > topM) {
+                topM = positionHd.y;
+                top = positionHd;
             }
         CurvePlacement placement{.rotation = rotation, .scaleM = kScalpWidthM / std::max(greatest.x - least.x, 1e-6F)};
         const glm::vec3 middle = 0.5F * (least + greatest);

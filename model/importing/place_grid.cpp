@@ -12,14 +12,14 @@ constexpr int kMostCubesASide = 256;
 
 } // namespace
 
-PlaceGrid::PlaceGrid(std::span<const glm::vec3> places, float cellM) : m_cellM(cellM)
+PlaceGrid::PlaceGrid(std::span<const glm::vec3> positions, float cellM) : m_cellM(cellM)
 {
     glm::vec3 greatest(0.0F);
-    if (!places.empty()) {
-        m_least = greatest = places.front();
-        for (const glm::vec3& place : places) {
-            m_least = glm::min(m_least, place);
-            greatest = glm::max(greatest, place);
+    if (!positions.empty()) {
+        m_least = greatest = positions.front();
+        for (const glm::vec3& position : positions) {
+            m_least = glm::min(m_least, position);
+            greatest = glm::max(greatest, position);
         }
     }
     const glm::vec3 size = greatest - m_least;
@@ -28,19 +28,19 @@ PlaceGrid::PlaceGrid(std::span<const glm::vec3> places, float cellM) : m_cellM(c
     const auto cells =
         static_cast<std::size_t>(m_size.x) * static_cast<std::size_t>(m_size.y) * static_cast<std::size_t>(m_size.z);
     m_starts.resize(cells + 1);
-    for (const glm::vec3& place : places)
-        ++m_starts[indexOf(cellOf(place)) + 1];
+    for (const glm::vec3& position : positions)
+        ++m_starts[indexOf(cellOf(position)) + 1];
     for (std::size_t cell = 0; cell < cells; ++cell)
         m_starts[cell + 1] += m_starts[cell];
-    m_indices.resize(places.size());
+    m_indices.resize(positions.size());
     std::vector<std::uint32_t> next(m_starts.begin(), m_starts.end() - 1);
-    for (std::size_t i = 0; i < places.size(); ++i)
-        m_indices[next[indexOf(cellOf(places[i]))]++] = static_cast<std::uint32_t>(i);
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        m_indices[next[indexOf(cellOf(positions[i]))]++] = static_cast<std::uint32_t>(i);
 }
 
-glm::ivec3 PlaceGrid::cellOf(const glm::vec3& place) const
+glm::ivec3 PlaceGrid::cellOf(const glm::vec3& position) const
 {
-    const glm::vec3 at = glm::clamp((place - m_least) / m_cellM, glm::vec3(0.0F), glm::vec3(m_size - 1));
+    const glm::vec3 at = glm::clamp((position - m_least) / m_cellM, glm::vec3(0.0F), glm::vec3(m_size - 1));
     return {at};
 }
 

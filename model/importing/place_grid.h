@@ -14,7 +14,7 @@ namespace hairpaint::model {
 class PlaceGrid
 {
 public:
-    PlaceGrid(std::span<const glm::vec3> places, float cellM);
+    PlaceGrid(std::span<const glm::vec3> positions, float cellM);
 
     /// Calls `use(index)` for the positions in the cubes that a ball touches, in an order that is always the same,
     /// until it returns false.
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> order() const { return m_indices; }
 
 private:
-    [[nodiscard]] glm::ivec3 cellOf(const glm::vec3& place) const;
+    [[nodiscard]] glm::ivec3 cellOf(const glm::vec3& position) const;
     [[nodiscard]] std::size_t indexOf(const glm::ivec3& cell) const;
 
     float m_cellM;

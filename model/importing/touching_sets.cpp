@@ -6,12 +6,12 @@
 
 namespace hairpaint::model {
 
-std::vector<std::vector<std::uint32_t>> touchingSets(std::span<const glm::vec3> places, float cellM)
+std::vector<std::vector<std::uint32_t>> touchingSets(std::span<const glm::vec3> positions, float cellM)
 {
     using Cell = std::tuple<int, int, int>;
     std::map<Cell, std::vector<std::uint32_t>> cells;
-    for (std::uint32_t i = 0; i < places.size(); ++i) {
-        const glm::ivec3 cell(glm::floor(glm::clamp(places[i] / cellM, -1e6F, 1e6F)));
+    for (std::uint32_t i = 0; i < positions.size(); ++i) {
+        const glm::ivec3 cell(glm::floor(glm::clamp(positions[i] / cellM, -1e6F, 1e6F)));
         cells[{cell.x, cell.y, cell.z}].push_back(i);
     }
     std::vector<std::vector<std::uint32_t>> sets;

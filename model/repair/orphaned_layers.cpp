@@ -77,7 +77,7 @@ public:
         const QString map = QLatin1StringView(orphan.spec->id);
         const int size = m_sizeOfLayer(orphan.group, map, orphan.layer);
         if (m_ids.contains(orphan.layer))
-            return; // It is no orphan, or stands in its place.
+            return; // It is no orphan, or another stands for it.
         QJsonObject* group = groupOf(orphan.group);
         if (group == nullptr)
             return;

@@ -64,9 +64,9 @@ void widen(UvField& field)
 sim::Texel blendedTexel(const sim::TiledRaster& raster, glm::vec2 uv, std::size_t values)
 {
     const int last = raster.size() - 1;
-    const glm::vec2 place = glm::vec2(uv.x, 1.0F - uv.y) * static_cast<float>(raster.size()) - 0.5F;
-    const glm::vec2 corner = glm::floor(place);
-    const glm::vec2 fraction = place - corner;
+    const glm::vec2 inTexels = glm::vec2(uv.x, 1.0F - uv.y) * static_cast<float>(raster.size()) - 0.5F;
+    const glm::vec2 corner = glm::floor(inTexels);
+    const glm::vec2 fraction = inTexels - corner;
     std::array<float, 4> sums{};
     float coverage = 0.0F;
     for (int k = 0; k < 4; ++k) {

@@ -43,12 +43,12 @@ struct StyleUse
 /// Groups of the project that the style has one of the same name for. A style is about its groups that grow hair, or,
 /// where none does, about all of them: a bald head saved with a beard is a beard.
 [[nodiscard]] std::vector<Id> groupsReplaced(const Project& project, const Preset& preset);
-/// Those of them that grow hair and that the style is not evidently about: neither the scalp nor the one place on the
+/// Those of them that grow hair and that the style is not evidently about: neither the scalp nor the one region of the
 /// face that a style of a single group is for.
 [[nodiscard]] std::vector<Id> groupsContested(const Project& project, const Preset& preset);
 
 /// Replaces the groups that a preset is about by its own, or a part of them; a group of that name keeps its id and its
-/// place in the list, all others stay as they are.
+/// index in the list, all others stay as they are.
 void applyPreset(Project& project, const Preset& preset, const StyleUse& use = {});
 /// What undo calls it.
 [[nodiscard]] QString applyPresetText(const Preset& preset, StylePart part = StylePart::All);

@@ -73,9 +73,9 @@ std::shared_ptr<const UvCorrespondence> UvCorrespondence::between(const std::sha
 
 std::optional<glm::vec2> UvCorrespondence::at(glm::vec2 uvOfTo) const
 {
-    const glm::vec2 place = glm::vec2(uvOfTo.x, 1.0F - uvOfTo.y) * static_cast<float>(m_size) - 0.5F;
-    const glm::vec2 corner = glm::floor(place);
-    const glm::vec2 fraction = place - corner;
+    const glm::vec2 inTexels = glm::vec2(uvOfTo.x, 1.0F - uvOfTo.y) * static_cast<float>(m_size) - 0.5F;
+    const glm::vec2 corner = glm::floor(inTexels);
+    const glm::vec2 fraction = inTexels - corner;
     std::array<glm::vec2, 4> uvs{};
     for (int k = 0; k < 4; ++k) {
         const glm::ivec2 texel = glm::clamp(glm::ivec2(corner) + glm::ivec2(k % 2, k / 2), 0, m_size - 1);
@@ -102,11 +102,11 @@ glm::vec2 UvCorrespondence::direction(glm::vec2 ofFrom, glm::vec2 uvOfFrom, glm:
         return ofFrom;
     // The warp leads from the new head to the old: what its steps along the new axes are in the old frame is undone.
     const sim::SkinFrame toFrame = sim::SkinFrame::at(*to);
-    const glm::vec3 place = m_warp(to->positionHd);
+    const glm::vec3 positionHd = m_warp(to->positionHd);
     const std::optional<sim::SurfacePoint> known = m_from->skin->atUv(uvOfFrom);
-    const sim::SkinFrame fromFrame = sim::SkinFrame::at(known ? *known : m_from->skin->nearest(place));
+    const sim::SkinFrame fromFrame = sim::SkinFrame::at(known ? *known : m_from->skin->nearest(positionHd));
     const auto carried = [&](glm::vec3 axis) {
-        return fromFrame.fromHd((m_warp(to->positionHd + axis * kStepM) - place) / kStepM);
+        return fromFrame.fromHd((m_warp(to->positionHd + axis * kStepM) - positionHd) / kStepM);
     };
     const glm::mat2 toOld(carried(toFrame.x), carried(toFrame.y));
     constexpr float kFlat = 1e-3F; // Landmarks that nearly coincide may press the skin together.
@@ -122,9 +122,9 @@ std::optional<glm::vec2> UvCorrespondence::measured(glm::vec2 uvOfTo) const
     if (!point)
         return std::nullopt;
     // Landmarks that nearly coincide may throw points far out, where looking for the nearest takes long.
-    const glm::vec3 place =
+    const glm::vec3 positionHd =
         glm::clamp(m_warp(point->positionHd), m_bounds.least - m_bounds.size(), m_bounds.greatest + m_bounds.size());
-    return glm::max(m_from->skin->nearest(place).uv, glm::vec2(0.0F));
+    return glm::max(m_from->skin->nearest(positionHd).uv, glm::vec2(0.0F));
 }
 
 } // namespace hairpaint::model

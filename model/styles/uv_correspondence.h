@@ -31,7 +31,7 @@ public:
     /// None where the layout of `to` has no skin.
     [[nodiscard]] std::optional<glm::vec2> at(glm::vec2 uvOfTo) const;
     /// A vector of a direction map, told in the frame at `uvOfFrom`, as it is told at `uvOfTo`, the corresponding
-    /// place: it is carried as the heads are brought together and keeps its length.
+    /// point: it is carried as the heads are brought together and keeps its length.
     [[nodiscard]] glm::vec2 direction(glm::vec2 ofFrom, glm::vec2 uvOfFrom, glm::vec2 uvOfTo) const;
 
 private:

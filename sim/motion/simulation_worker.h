@@ -36,7 +36,7 @@ public:
     /// what is saved is the dependents of frames that nobody would see. New content comes at once all the same.
     void setFrameRate(double framesPerSecond);
 
-    /// Which hairs frames are to place, see GroupFrame; all unless told. More of them come at once, though nothing
+    /// Which hairs have positions in frames, see GroupFrame; all unless told. More of them come at once, though nothing
     /// moves.
     void setDetail(float detail);
 

@@ -66,7 +66,7 @@ private:
                    static_cast<std::size_t>(m_layout.size.x) +
                static_cast<std::size_t>(node.x);
     }
-    [[nodiscard]] glm::vec3 placeOf(const glm::ivec3& node) const
+    [[nodiscard]] glm::vec3 positionOf(const glm::ivec3& node) const
     {
         return m_layout.originHd + m_layout.cellM * glm::vec3(node);
     }
@@ -74,9 +74,9 @@ private:
     void eachNeighbour(const glm::ivec3& node, const Visit& visit) const;
     template<typename Visit>
     void eachNode(const Visit& visit) const;
-    [[nodiscard]] float distanceTo(const glm::vec3& place) const
+    [[nodiscard]] float distanceTo(const glm::vec3& positionHd) const
     {
-        return glm::distance(m_skin.nearest(place).positionHd, place);
+        return glm::distance(m_skin.nearest(positionHd).positionHd, positionHd);
     }
     void measureBlock(const glm::ivec3& block); ///< Every other node.
     void fillBlock(const glm::ivec3& block);    ///< Those between.
@@ -115,14 +115,14 @@ void Builder::measureBlock(const glm::ivec3& block)
 {
     const glm::ivec3 first = block * kBlock;
     const glm::ivec3 end = glm::min(first + kBlock, m_layout.size);
-    const glm::vec3 middle = 0.5F * (placeOf(first) + placeOf(end - 1));
-    if (distanceTo(middle) > DistanceGrid::kReachM + glm::distance(middle, placeOf(first)))
+    const glm::vec3 middle = 0.5F * (positionOf(first) + positionOf(end - 1));
+    if (distanceTo(middle) > DistanceGrid::kReachM + glm::distance(middle, positionOf(first)))
         return; // All of it is further than the reach.
     glm::ivec3 node;
     for (node.z = first.z; node.z < end.z; node.z += 2)
         for (node.y = first.y; node.y < end.y; node.y += 2)
             for (node.x = first.x; node.x < end.x; node.x += 2)
-                m_distances[indexOf(node)] = std::min(distanceTo(placeOf(node)), DistanceGrid::kReachM);
+                m_distances[indexOf(node)] = std::min(distanceTo(positionOf(node)), DistanceGrid::kReachM);
 }
 
 float Builder::meanAround(const glm::ivec3& node) const
@@ -149,7 +149,7 @@ void Builder::fillBlock(const glm::ivec3& block)
                 const float mean = meanAround(node);
                 m_distances[indexOf(node)] = mean > kMeasuredCells * m_layout.cellM
                                                  ? mean
-                                                 : std::min(distanceTo(placeOf(node)), DistanceGrid::kReachM);
+                                                 : std::min(distanceTo(positionOf(node)), DistanceGrid::kReachM);
             }
 }
 
@@ -225,9 +225,9 @@ void Builder::signTheRest()
                         const std::size_t other = indexOf(beside);
                         deep = deep || (nearSkin[other] == 0 && m_signs[other] == Sign::Inside);
                     });
-                    const glm::vec3 place = placeOf(node);
-                    const SurfacePoint nearest = m_skin.nearest(place);
-                    const bool isBehind = glm::dot(place - nearest.positionHd, nearest.normalHd) < 0.0F;
+                    const glm::vec3 positionHd = positionOf(node);
+                    const SurfacePoint nearest = m_skin.nearest(positionHd);
+                    const bool isBehind = glm::dot(positionHd - nearest.positionHd, nearest.normalHd) < 0.0F;
                     m_signs[index] = deep || isBehind ? Sign::Inside : Sign::Outside;
                 }
     });

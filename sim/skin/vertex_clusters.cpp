@@ -16,11 +16,11 @@ constexpr int kAxisBits = 20;
 constexpr float kMostCells = static_cast<float>(1 << kAxisBits) - 1.0F;
 
 /// The cell, and which of eight ways the skin faces there, so that the two sides of an ear stay apart.
-std::uint64_t clusterKeyOf(glm::vec3 place, glm::vec3 normal)
+std::uint64_t clusterKeyOf(glm::vec3 inCells, glm::vec3 normal)
 {
     std::uint64_t key = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        const auto cell = static_cast<std::uint64_t>(std::clamp(place[axis], 0.0F, kMostCells));
+        const auto cell = static_cast<std::uint64_t>(std::clamp(inCells[axis], 0.0F, kMostCells));
         key = (key << (kAxisBits + 1)) | (cell << 1U) | (normal[axis] < 0.0F ? 1U : 0U);
     }
     return key;
@@ -47,9 +47,9 @@ CoarseMesh coarsened(const HeadMesh& mesh, std::size_t mostVertices)
         coarse.mesh.positionsHd.clear();
         fits = true;
         for (std::size_t i = 0; i < count && fits; ++i) {
-            const glm::vec3 place = (mesh.positionsHd[i] - bounds.least) / cellM;
+            const glm::vec3 inCells = (mesh.positionsHd[i] - bounds.least) / cellM;
             const auto next = static_cast<unsigned>(clusters.size());
-            const unsigned cluster = clusters.try_emplace(clusterKeyOf(place, mesh.normalsHd[i]), next).first->second;
+            const unsigned cluster = clusters.try_emplace(clusterKeyOf(inCells, mesh.normalsHd[i]), next).first->second;
             if (cluster == next) {
                 coarse.mesh.positionsHd.emplace_back(0.0F);
                 members.push_back(0.0F);

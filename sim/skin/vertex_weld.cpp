@@ -15,18 +15,18 @@ std::vector<unsigned> weldedVertices(const HeadMesh& mesh)
     constexpr float kTolerance = 1e-6F; // Of the mesh's size.
     const glm::vec3 size = boundsOf(mesh).size();
     const float cell = std::max(kTolerance * std::max({size.x, size.y, size.z}), 1e-9F);
-    using Place = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
-    std::vector<std::pair<Place, unsigned>> places;
-    places.reserve(mesh.positionsHd.size());
+    using Cell = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
+    std::vector<std::pair<Cell, unsigned>> cells;
+    cells.reserve(mesh.positionsHd.size());
     for (unsigned i = 0; i < mesh.positionsHd.size(); ++i) {
         const glm::vec3& p = mesh.positionsHd[i];
-        places.emplace_back(Place(std::llround(p.x / cell), std::llround(p.y / cell), std::llround(p.z / cell)), i);
+        cells.emplace_back(Cell(std::llround(p.x / cell), std::llround(p.y / cell), std::llround(p.z / cell)), i);
     }
-    std::sort(places.begin(), places.end());
-    std::vector<unsigned> welded(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i)
-        welded[places[i].second] =
-            i > 0 && places[i].first == places[i - 1].first ? welded[places[i - 1].second] : places[i].second;
+    std::sort(cells.begin(), cells.end());
+    std::vector<unsigned> welded(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        welded[cells[i].second] =
+            i > 0 && cells[i].first == cells[i - 1].first ? welded[cells[i - 1].second] : cells[i].second;
     return welded;
 }
 

@@ -3,7 +3,7 @@
 
 namespace hairpaint::sim {
 
-/// 1 where two tips, [3] each, from the root and by the hair's length, are in one place; 0 from where they belong to
+/// 1 where two tips, [3] each, from the root and by the hair's length, coincide; 0 from where they belong to
 /// different sides of a parting.
 inline float agreementOfTips(const float* a, const float* b)
 {

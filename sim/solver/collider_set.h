@@ -35,7 +35,7 @@ struct SkinField
 {
     const DistanceGrid::Pair* pairs = nullptr; ///< [z][y][x], null where there is no grid.
     std::array<float, 3> origin{};
-    std::array<float, 3> last{}; ///< Places in cells lie in 0..last, the end excluded.
+    std::array<float, 3> last{}; ///< Coordinates in cells lie in 0..last, the end excluded.
     float inverseCell = 1.0F;    ///< 1/m
     std::int32_t row = 0;        ///< From one y to the next.
     std::int32_t slice = 0;      ///< From one z to the next.

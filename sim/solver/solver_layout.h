@@ -48,7 +48,7 @@ enum LaneField : std::uint8_t
 inline constexpr float kGirthSlope = 0.4F;
 inline constexpr float kUnwanted = 1e30F;
 inline constexpr float kStillSteps = 60.0F; ///< A strand that lay still for so long falls asleep.
-inline constexpr float kStillM = 2e-4F; ///< What counts as lying still: middle and tip stay this close to their place.
+inline constexpr float kStillM = 2e-4F;     ///< What counts as lying still: middle and tip move no farther than this.
 inline constexpr float kFastestM = 10.0F / 120; ///< Speed limit, m a step.
 
 /// A rigid motion: rows * p + offset.
@@ -86,7 +86,7 @@ struct StepForces
     std::array<float, 3> gravity{};
     bool windy = false; ///< Any wind or puff: nothing sleeps.
     std::array<float, 3> wind{};
-    float gust = 0.0F;             ///< Fraction that comes and goes from place to place, 0..1.
+    float gust = 0.0F;             ///< Fraction that comes and goes, otherwise from point to point, 0..1.
     std::array<float, 3> swirlA{}; ///< Amplitudes of the two waves of turbulence.
     std::array<float, 3> swirlB{};
     float phaseGust = 0.0F; ///< Of the waves in time, rad, 0..2 pi.

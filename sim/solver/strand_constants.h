@@ -19,7 +19,7 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
 /// E I dt^2 / (rho A segment^4).
 [[nodiscard]] float bendingGain(float stiffnessM, float segmentM);
 
-/// How strongly gel of 0..1 pulls every node to its place in the rest shape, in units of a step: displacements are
+/// How strongly gel of 0..1 pulls every node to its position in the rest shape, in units of a step: displacements are
 /// divided by 1 + this.
 [[nodiscard]] float holdGain(float gel);
 

@@ -83,11 +83,11 @@ void StrandState::reshapeStrand(std::size_t strand, const Reshaping& to)
         const glm::vec3 edge = wanted - parent;
         const float square = glm::dot(edge, edge);
         const glm::vec3 straight = to.afterHd[node] - to.afterHd[node - 1];
-        const glm::vec3 place = parent + (square > 1e-12F ? edge * (to.segmentM / std::sqrt(square)) : straight);
+        const glm::vec3 positionHd = parent + (square > 1e-12F ? edge * (to.segmentM / std::sqrt(square)) : straight);
         for (AlignedFloats* array : {&previous, &before()})
-            shape().setNode(*array, strand, node, place + (shape().node(*array, strand, node) - was) * kept);
-        shape().setNode(now(), strand, node, place);
-        parent = place;
+            shape().setNode(*array, strand, node, positionHd + (shape().node(*array, strand, node) - was) * kept);
+        shape().setNode(now(), strand, node, positionHd);
+        parent = positionHd;
     }
     wakeStrand(strand);
 }

@@ -19,7 +19,7 @@ struct WindPhases
     float exposure = 1.0F; ///< Fraction of the wind's strength that gets to it; about 1 on average.
 };
 /// Strands that grow within a few centimetres of each other make a lock, which the air moves as one. `hash01` is the
-/// strand's own; `height` its place in the coat, 0..1: what lies deeper is sheltered.
+/// strand's own; `height` how high in the coat it lies, 0..1: what lies deeper is sheltered.
 [[nodiscard]] WindPhases windPhases(glm::vec3 rootHd, float hash01, float height);
 
 /// The phases by which the two waves of turbulence lag at a node, as tables.

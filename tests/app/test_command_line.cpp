@@ -367,7 +367,7 @@ private Q_SLOTS:
 
     void factsAreToldInTheUsersLanguageWhateverTheNamesAre()
     {
-        // A head's name that looks like a place for another text.
+        // A head's name that looks like a placeholder of another text.
         const QString mesh = path("%2.obj");
         QFile file(mesh);
         QVERIFY(file.open(QIODevice::WriteOnly));

@@ -124,7 +124,7 @@ private Q_SLOTS:
         light->close();
         QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<view::LightDialog*>() == nullptr, kPatienceMs);
         QCOMPARE(shown<view::LightDialog>("hair.lightDialog")->pos(), wanted);
-        // Each has a place of its own.
+        // Each has a position of its own.
         QVERIFY(shown<view::WindDialog>("hair.windDialog")->pos() != wanted);
 
         // The next start knows it; what is too far away comes back.

@@ -64,7 +64,7 @@ public:
                          std::lerp(texel(x, y + 1), texel(x + 1, y + 1), fx), fy);
     }
 
-    /// Least and greatest of the texel under a place and its eight neighbours.
+    /// Least and greatest of the texel under a point and its eight neighbours.
     [[nodiscard]] std::pair<double, double> range(glm::vec2 uv) const
     {
         const glm::dvec2 position = texelOf(uv);

@@ -23,7 +23,7 @@ private:
     [[nodiscard]] QString project() const { return m_folder.filePath(QStringLiteral("p.hairpaint")); }
     [[nodiscard]] QString place() const { return m_folder.filePath(QStringLiteral("made")); }
 
-    /// Files that lie somewhere below the place, under whatever name.
+    /// Files that lie somewhere below the folder, under whatever name.
     [[nodiscard]] int filesThere() const
     {
         int count = 0;

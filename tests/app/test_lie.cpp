@@ -21,7 +21,7 @@ namespace {
 constexpr int kHairs = 4000;
 constexpr int kMapSize = 512;
 
-/// A texel for every place on the built-in head's skin that a map of kMapSize shows.
+/// A texel for every point of the built-in head's skin that a map of kMapSize shows.
 template<typename ValueAt>
 void paint(sim::TiledRaster& raster, const ValueAt& valueAt)
 {

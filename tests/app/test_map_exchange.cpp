@@ -177,7 +177,7 @@ private Q_SLOTS:
         for (int y = 0; y < image.height() / 2; ++y)
             for (int x = 0; x < image.width(); ++x)
                 image.setPixelColor(x, y, Qt::blue);
-        // As careful programs save: another file in the place of the old one.
+        // As careful programs save: another file under the old one's name.
         const QString aside = m_painter.opened + QStringLiteral(".new");
         QVERIFY(image.save(aside, "PNG") && QFile::remove(m_painter.opened) && QFile::rename(aside, m_painter.opened));
         QTRY_COMPARE_WITH_TIMEOUT(stack().count(), 1, kPatienceMs);
@@ -190,7 +190,7 @@ private Q_SLOTS:
         const int low = image.height() - 10;
         QCOMPARE(texel(low)[1], std::uint16_t{0});
 
-        // Saved again, in place.
+        // Saved again, into the same file.
         for (int x = 0; x < image.width(); ++x)
             image.setPixelColor(x, low, Qt::blue);
         QVERIFY(image.save(m_painter.opened));

@@ -1,4 +1,5 @@
-// A network folder whose server does not answer: the window lives on, nothing is lost, and there is another place.
+// A network folder whose server does not answer: the window lives on, nothing is lost, and another folder can be
+// chosen.
 #include "app/background/journal_folder.h"
 #include "model/document/commands.h"
 #include "model/journal/journal_reader.h"

@@ -1,5 +1,5 @@
-// Places that can't be written, full disks, and outputs that are inputs: one line on standard error names the file, the
-// code is 1, nothing is written, and what was there stays.
+// Folders that can't be written, full disks, and outputs that are inputs: one line on standard error names the file,
+// the code is 1, nothing is written, and what was there stays.
 #include "app/headless/picture.h"
 #include "model/exporting/export_format.h"
 #include "model/files/project_file.h"

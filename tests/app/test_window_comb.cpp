@@ -12,7 +12,7 @@ class TestWindowComb : public QObject, private WindowFixture
 private:
     [[nodiscard]] QWidget& paper() { return m_window->paintView(); }
 
-    /// Hd, where the direction map says that hair at a place of the paper goes.
+    /// Hd, where the direction map says that hair at a point of the paper goes.
     [[nodiscard]] glm::vec3 directionAt(glm::vec2 uv)
     {
         const model::HairGroup& group = session().document().project().groups.front();

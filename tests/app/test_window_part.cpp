@@ -18,7 +18,7 @@ private:
     QWidget* m_area = nullptr;
     std::vector<QPoint> m_points; ///< Where the curve is clicked.
 
-    /// A project with hair; the Part tool, and three places up the picture.
+    /// A project with hair; the Part tool, and three points up the picture.
     void open(bool onTheHead)
     {
         model::Project project = model::newProject();

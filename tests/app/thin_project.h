@@ -18,8 +18,8 @@ inline model::Project thinned(model::Project project)
     return project;
 }
 
-/// A bald head with small maps and few places for hair, which would stand upright (how it lies is the dear part): what
-/// is told of a project that never gets that far needs no more.
+/// A bald head with small maps and few candidates for hair, which would stand upright (how it lies is the dear part):
+/// what is told of a project that never gets that far needs no more.
 inline model::Project smallProject()
 {
     model::Project project = model::newProject();

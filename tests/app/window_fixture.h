@@ -127,7 +127,7 @@ protected:
 
     [[nodiscard]] QPoint paintPoint(float u, float v) { return m_window->paintView().positionOf({u, v}).toPoint(); }
 
-    /// The widget of the 3D area that takes the pointer, and where it shows a place of the skin.
+    /// The widget of the 3D area that takes the pointer, and where it shows a point of the skin.
     [[nodiscard]] std::pair<QWidget*, QPoint> onHead(float u, float v)
     {
         view::HeadView& head = m_window->headView();

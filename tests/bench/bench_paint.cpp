@@ -1,4 +1,4 @@
-// Pixels a second of one dab into a stroke buffer, in the order of places that the rival driver uses.
+// Pixels a second of one dab into a stroke buffer, in the order of positions that the rival driver uses.
 #include "model/document/document.h"
 #include "model/tools/selection.h"
 #include "model/tools/stroke_buffer.h"

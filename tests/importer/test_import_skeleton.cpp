@@ -39,7 +39,7 @@ QString strayJoint(const HeadSkeleton& skeleton, float scale = 1.0F)
     return {};
 }
 
-/// The joint that the vertex nearest to a place follows most.
+/// The joint that the vertex nearest to a position follows most.
 QString followedAt(const RiggedMesh& mesh, const glm::vec3& place)
 {
     std::size_t nearest = 0;
@@ -106,7 +106,7 @@ private Q_SLOTS:
 
     void aSkinnedMeshStandsWhereItsJointsPutIt()
     {
-        // Its own node's place is not minded; the armature's is, centimetres in metres.
+        // Its own node's transform is not minded; the armature's is, centimetres in metres.
         const QByteArray glb = withJson(glbFromMesh(test::makeMannequin()), [](QJsonObject& json) {
             changeNode(json, 0, QStringLiteral("translation"), QJsonArray{3, 2, 1});
             const int armature = addNode(json, {{QStringLiteral("name"), QStringLiteral("Armature")},

@@ -7,7 +7,7 @@
 
 namespace hairpaint::test {
 
-/// A studio for what is painted on the direction map. Places are Hd, and brought to the skin.
+/// A studio for what is painted on the direction map. Points are Hd, and brought to the skin.
 struct HeadStudio : Studio
 {
     explicit HeadStudio(Project project) : Studio(std::move(project)) { map = MapKind::Direction; }

@@ -1,4 +1,4 @@
-// A file is written whole or not at all, also where only its last bytes found no place.
+// A file is written whole or not at all, also where only its last bytes found no room.
 #include "model/disk/atomic_file.h"
 #include "model/disk/staged_files.h"
 #include "model/disk/staged_sweep.h"

@@ -22,8 +22,8 @@ constexpr int kStormMinutes = 1;
 constexpr int kStormMinutes = 10;
 #endif
 
-/// By what fraction the drawn hair that differs most is longer or shorter than it grew; not a number where a place is
-/// none.
+/// By what fraction the drawn hair that differs most is longer or shorter than it grew; not a number where a position
+/// is none.
 float worstStretch(const sim::GroupFrame& frame)
 {
     const sim::Groom& groom = *frame.groom;

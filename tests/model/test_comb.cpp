@@ -26,7 +26,7 @@ struct Hairdresser : HeadStudio
         settings.pressureSize = false;
         settings.brushSizeM = 0.03F;
     }
-    /// Over the head along these places.
+    /// Over the head along these points.
     void stroke(const std::vector<glm::vec3>& wayHd, float pressure = 1.0F)
     {
         Tool& with = Studio::tool(tool);

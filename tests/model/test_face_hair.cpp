@@ -15,7 +15,7 @@ using namespace hairpaint::model;
 
 namespace {
 
-/// Of a layer's first value at the skin nearest to a place, 0..1.
+/// Of a layer's first value at the skin nearest to a position, 0..1.
 float valueAt(const HairGroup& group, MapKind map, const Head& head, const glm::vec3& place)
 {
     const sim::TiledRaster& raster = group.map(map).layers.front().raster;
@@ -25,7 +25,7 @@ float valueAt(const HairGroup& group, MapKind map, const Head& head, const glm::
     return texel[1] > 0 ? static_cast<float>(texel[0]) / 65535.0F : 0.0F;
 }
 
-/// Greatest density within 4 mm of a place.
+/// Greatest density within 4 mm of a position.
 float densityNear(const HairGroup& group, const Head& head, const glm::vec3& place)
 {
     float greatest = 0.0F;

@@ -1,4 +1,4 @@
-// A head's skeleton: its limits, its places, and its way through head.glb and projects.
+// A head's skeleton: its limits, its joints' positions, and head.glb and projects that hold it.
 #include "model/exporting/avatar.h"
 #include "model/files/glb.h"
 #include "model/files/head_file.h"

@@ -282,7 +282,7 @@ private Q_SLOTS:
         sim::HeadMesh mesh = test::makeBallHead(8);
         mesh.uvs[5] = {3e38F, -3e38F};
         QTest::newRow("uvs without end") << glbFromMesh(mesh) << 1.0F;
-        // Floats are so coarse out there that a million hairs stand on a few places.
+        // Floats are so coarse out there that a million hairs stand at a few positions.
         mesh = test::makeBallHead(8);
         for (glm::vec3& p : mesh.positionsHd)
             p += 1e6F;

@@ -57,7 +57,7 @@ private Q_SLOTS:
         const QByteArray png = encodeLayer(raster, nullptr).bytes;
         const std::optional<PngParts> parts = readPngParts(png);
         QVERIFY(parts);
-        // The same stream, its second band and what follows cut into chunks at other places.
+        // The same stream, its second band and what follows cut into chunks at other offsets.
         QByteArrayView chunks = parts->pixelChunks;
         const QByteArray first = takePixelChunk(chunks)->toByteArray();
         QByteArray rest;

@@ -25,7 +25,7 @@ QJsonObject goodRoot()
     return QJsonDocument::fromJson(projectToJson(project).value_or(QByteArray())).object();
 }
 
-/// Sets the value at a path of keys and array places, "groups/0/id"; an undefined value takes the key away.
+/// Sets the value at a path of keys and array indices, "groups/0/id"; an undefined value takes the key away.
 QJsonValue withValue(const QJsonValue& where, QStringList path, const QJsonValue& value)
 {
     if (path.isEmpty())

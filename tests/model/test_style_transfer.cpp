@@ -58,7 +58,7 @@ const Foreign& foreign(bool scan)
     return scan ? scanned : child;
 }
 
-/// Places of a head that a hairdresser looks at: along the hairline, and along a parting in the middle.
+/// Points of a head that a hairdresser looks at: along the hairline, and along a parting in the middle.
 std::vector<glm::vec3> hairlineAndParting()
 {
     const std::shared_ptr<const Head> bust = builtInHead();

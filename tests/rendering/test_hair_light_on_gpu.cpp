@@ -1,4 +1,4 @@
-// The light on hair that the shaders compute is that of the kernels, at thousands of random places.
+// The light on hair that the shaders compute is that of the kernels, at thousands of random points.
 #include "tests/rendering/gl_test.h"
 #include "tests/support/test_program.h"
 #include "view/rendering/frame_lights.h"

@@ -1,4 +1,4 @@
-// Frames that place only the hairs that a coarse picture draws.
+// Frames that hold only the hairs that a coarse picture draws.
 #include "sim/motion/simulation.h"
 #include "tests/support/painted_ball.h"
 #include "tests/support/strand_frames.h"

@@ -1,4 +1,4 @@
-// Hairs are where the maps say, as the maps say, and painting in one place changes nothing elsewhere.
+// Hairs are where the maps say, as the maps say, and painting one spot changes nothing elsewhere.
 #include "sim/base/parallel.h"
 #include "sim/groom/groom.h"
 #include "tests/sim/groom_reading.h"

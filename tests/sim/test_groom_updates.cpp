@@ -175,7 +175,7 @@ void TestGroomUpdates::aCombedDabRelaysTheStrandsThatCrossIt()
     const RootSet& roots = *before->roots;
     std::size_t rootedElsewhere = 0;
     for (const std::uint32_t slot : rebuilt) {
-        // Some place along the hair, or along the one that it clumps to, is over the dab: a texel and a cell around it.
+        // Some point along the hair, or along the one that it clumps to, is over the dab: a texel and a cell around it.
         const auto crosses = [&](std::span<const float> positions, std::size_t strand) {
             for (std::size_t node = 1; node < static_cast<std::size_t>(before->nodes); ++node)
                 for (int part = 0; part <= 8; ++part) {

@@ -127,7 +127,7 @@ void TestParallel::aLoopOfTheWindowWaitsForNoOther()
             parallelFor(2, 1, [](std::size_t, std::size_t) {});
         });
     });
-    while (held < 2) // Every place of that arena is taken.
+    while (held < 2) // Every slot of that arena is taken.
         std::this_thread::yield();
     std::atomic<std::size_t> done{0};
     parallelFor(1000, 1, [&](std::size_t begin, std::size_t end) { done += end - begin; });

@@ -332,7 +332,7 @@ void TestRoots::hairsFollowBasisHairsOfTheirOwnSide()
             QVERIFY(glm::dot(roots->normalHd[roots->basisSlot[neighbour]], roots->normalHd[slot]) > 0.0F);
 }
 
-/// Where equal places are searched one by one this takes hours.
+/// Where equal positions are searched one by one this takes hours.
 void TestRoots::rootsOnOneSpotFindTheirNeighboursInTime()
 {
     const float far = 1e6F; // Floats are 1/16 apart here.

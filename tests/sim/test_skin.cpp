@@ -1,4 +1,4 @@
-// Places on the skin are found as a search over every face would find them.
+// Points of the skin are found as a search over every face would find them.
 #include "sim/base/deterministic.h"
 #include "sim/skin/skin.h"
 #include "tests/support/test_heads.h"

@@ -207,7 +207,7 @@ void TestSolver::frictionHoldsHairOnASlope_data()
 {
     QTest::addColumn<float>("friction");
     QTest::addColumn<bool>("holds");
-    // The node's place on the ball has a slope of 30 degrees: tan is 0.58.
+    // Where the node lies the ball has a slope of 30 degrees: tan is 0.58.
     QTest::newRow("none") << 0.0F << false;
     QTest::newRow("little") << 0.2F << false;
     QTest::newRow("enough") << 0.5F << true;

@@ -6,7 +6,7 @@
 #include <limits>
 #include <new>
 
-// What malloc is in the C library or the address sanitizer, under a name that nobody takes the place of.
+// What malloc is in the C library or the address sanitizer, under a name that nobody replaces.
 #if defined(__GLIBC__) && defined(HAIRPAINT_ASAN)
 #define HAIRPAINT_OWN_MALLOC(name) __interceptor_##name
 #elif defined(__GLIBC__) && !defined(HAIRPAINT_TSAN)

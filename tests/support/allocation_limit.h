@@ -6,7 +6,7 @@
 
 namespace hairpaint::test {
 
-/// One at a time. Needs allocation_limit.cpp, which takes the place of operator new.
+/// One at a time. Needs allocation_limit.cpp, which replaces operator new.
 class AllocationLimit
 {
 public:

@@ -9,7 +9,7 @@
 
 namespace hairpaint::test {
 
-/// One at a time. Needs file_faults.cpp, which takes the place of the C library's calls, in a program that exports its
+/// One at a time. Needs file_faults.cpp, which replaces the C library's calls, in a program that exports its
 /// symbols.
 class FileFault
 {

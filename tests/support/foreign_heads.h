@@ -1,4 +1,4 @@
-// Heads of other shapes and layouts, of which it is known where each place of the built-in one lies.
+// Heads of other shapes and layouts, of which it is known where each point of the built-in one lies.
 #pragma once
 
 #include "sim/skin/head_mesh.h"

@@ -35,7 +35,7 @@ bool registerTest(const char* file, Application application, void (*prepare)(), 
 #define HAIRPAINT_TEST_NAME(name, number) HAIRPAINT_TEST_NAME_OF(name, number)
 #define HAIRPAINT_TEST_NAME_OF(name, number) name##number
 
-/// In place of QTEST_MAIN, with the application that the class needs.
+/// Instead of QTEST_MAIN, with the application that the class needs.
 #define HAIRPAINT_TEST(Class, application)                                                                             \
     [[maybe_unused]] static const bool HAIRPAINT_TEST_NAME(isRegistered, __COUNTER__) = hairpaint::test::registerTest( \
         __FILE__, hairpaint::test::Application::application, hairpaint::test::prepare<Class>,                          \

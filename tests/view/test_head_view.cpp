@@ -113,7 +113,7 @@ private Q_SLOTS:
         HeadFixture f;
         const float before = f.area.camera().distanceM;
         const QPointF at(300.0, 150.0);
-        // A place at the target's depth.
+        // A point at the target's depth.
         const glm::vec3 held(0.06F * (300.0F - 240.0F) / 50.0F, 0.0F, 0.0F);
         const QPointF heldAt = f.area.positionOf(held).value_or(QPointF());
         f.wheel(heldAt, 2);

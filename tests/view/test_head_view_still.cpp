@@ -45,7 +45,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(drawn, frame->hairCount, kPatienceMs);
     }
 
-    /// Of moving hair a frame places what is drawn; the finest picture shows the rest as soon as it comes.
+    /// Of moving hair a frame holds what is drawn; the finest picture shows the rest as soon as it comes.
     void hairThatAStillPictureLacksIsShownWhenItComes()
     {
         HeadFixture f;

@@ -58,7 +58,7 @@ struct Fixture
     view::PaintView area;
 };
 
-/// Greatest distance of painted texels' centres from a place, m on the patch; -1 where nothing is painted.
+/// Greatest distance of painted texels' centres from a point, m on the patch; -1 where nothing is painted.
 float paintedReachM(const test::Editor& editor, glm::vec2 uv)
 {
     const auto raster = editor.document.resolved(editor.state.target().group(), model::MapKind::Density);

@@ -252,7 +252,7 @@ private Q_SLOTS:
         QCOMPARE(f.steps(), 3);
         f.document.undo();
         QCOMPARE(namesOf(*list), before);
-        // On its own place: nothing happens.
+        // On its own row: nothing happens.
         QVERIFY(!list->dropAt(list->visualItemRect(list->currentItem()).center()));
         QCOMPARE(wanted.count(), 1);
     }

@@ -31,7 +31,7 @@ sim::StrandFrame hairTo(glm::vec3 tipWo)
     return frame;
 }
 
-/// Where a place shows, -1..1 in the picture.
+/// Where a point shows, -1..1 in the picture.
 glm::vec2 shown(const rendering::Camera& camera, glm::vec3 placeWo)
 {
     const glm::vec4 clip = camera.projection(1.0F) * camera.view() * glm::vec4(placeWo, 1.0F);

@@ -7,7 +7,7 @@
 
 namespace hairpaint::view {
 
-/// How large a tool's handle is drawn around its place.
+/// How large a tool's handle is drawn around its position.
 [[nodiscard]] inline QRectF handleAt(QPointF centre)
 {
     constexpr double kHalfPx = 2.5;

@@ -80,7 +80,7 @@ public Q_SLOTS:
     void fit();         ///< The head with all of its hair, from where the camera looks now.
     /// The head goes through it once, so that the hair swings; not while it is dragged. Outside undo.
     void moveHead(hairpaint::sim::NeckMotion motion);
-    void turnToBrush(); ///< So that the place shows where the brush was last, in whichever area.
+    void turnToBrush(); ///< So that the skin shows where the brush was last, in whichever area.
     void addWorn(hairpaint::model::WornKind kind); ///< Where the brush was last; it is chosen.
     void removeWorn();                             ///< The chosen one.
     void setHairPaused(bool paused);               ///< Says so over the picture.

@@ -19,7 +19,7 @@ bool sameHair(const sim::StrandFrame& a, const sim::StrandFrame& b)
            });
 }
 
-/// The farthest that a sampled node, of those that both frames place, lies from where it was, m.
+/// The farthest that a sampled node, of those that both frames hold, lies from where it was, m.
 float farthest(const sim::GroupFrame& now, const sim::GroupFrame& before)
 {
     constexpr std::size_t kRow = sim::StrandBlocks::kNodeStride;

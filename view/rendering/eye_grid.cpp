@@ -19,9 +19,9 @@ EyeGrid eyeGrid(const FrameConstants& constants)
                             static_cast<float>(corner >> 2), 1.0F);
         const glm::vec4 clip = m * (woFromBox * box);
         const bool behind = clip.w < kNearestM; // It may lie anywhere in the picture then.
-        const glm::vec3 place(clip.x / std::max(clip.w, kNearestM), clip.y / std::max(clip.w, kNearestM), clip.w);
-        low = glm::min(low, behind ? glm::vec3(-kEdge, -kEdge, kNearestM) : place);
-        high = glm::max(high, behind ? glm::vec3(kEdge, kEdge, kNearestM) : place);
+        const glm::vec3 projected(clip.x / std::max(clip.w, kNearestM), clip.y / std::max(clip.w, kNearestM), clip.w);
+        low = glm::min(low, behind ? glm::vec3(-kEdge, -kEdge, kNearestM) : projected);
+        high = glm::max(high, behind ? glm::vec3(kEdge, kEdge, kNearestM) : projected);
     }
     low = glm::max(low, glm::vec3(-kEdge, -kEdge, kNearestM));
     high = glm::min(high, glm::vec3(kEdge, kEdge, 1e6F));

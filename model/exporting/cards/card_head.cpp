@@ -1,4 +1,4 @@
-// Places vertices of the head and of what is worn as head.vert does.
+// Transforms vertices of the head and of what is worn as head.vert does.
 #include "model/exporting/cards/card_head.h"
 
 #include "model/exporting/unit_vectors.h"

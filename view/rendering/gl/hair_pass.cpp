@@ -98,7 +98,7 @@ HairPass::Report HairPass::uploadGroups(const std::shared_ptr<const sim::StrandF
         const float widthSp = hairWidthSp(group.groom->settings.material, constants);
         float fraction = fine ? detail : std::min(detail, fractionThatTells(widthSp));
         report.detail = m_visible.empty() ? listedDetail(fraction) : std::max(report.detail, listedDetail(fraction));
-        // More than the frame places can't be drawn.
+        // Only those that have positions in the frame can be drawn.
         if (group.detail < 1.0F)
             fraction = std::min(fraction, group.detail / (1.0F + kFadingPart));
         SegmentsWanted segments = segmentsWanted(group, constants, fine ? kFineToleranceSp : kMovingToleranceSp);

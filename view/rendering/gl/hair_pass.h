@@ -35,7 +35,7 @@ public:
     /// After upload(), with the frame's constants bound to uniform buffer 0: fills the opacity grid and cuts what is to
     /// be drawn into pieces of at most `piecePoints`, but of one strand at least.
     void begin(const FrameConstants& constants, std::uint32_t piecePoints);
-    /// With the same constants bound: places, lights and projects the next piece. False where there was none left.
+    /// With the same constants bound: expands, lights and projects the next piece. False where there was none left.
     bool projectPiece();
     /// 0..1: how much of what begin() found is done.
     [[nodiscard]] double progress() const;

@@ -19,7 +19,7 @@ public:
     [[nodiscard]] static tl::expected<std::unique_ptr<HeadLayer>, std::string> create();
 
     /// Draws the scene's head, solids and cards with the constants bound to uniform buffer 0. `coarse`: where the view
-    /// differs from the call before, headInMotion is drawn in the head's place, unless null, and the head in the first
+    /// differs from the call before, headInMotion is drawn instead of the head, unless null, and the head in the first
     /// call that does not differ. False where the last picture still holds.
     bool draw(const Scene& scene, bool coarse, const FrameConstants& constants);
     /// Binds colour and depth to two texture units.

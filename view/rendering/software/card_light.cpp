@@ -19,11 +19,11 @@ glm::vec3 CardLight::on(const CardCorner& corner) const
     lighting.shape = fibreShape(corner.roughness);
     lighting.highlightExponent = highlightExponent(corner.roughness);
     const auto triple = [](const glm::vec3& v) { return simd::Triple<float>{v.x, v.y, v.z}; };
-    const glm::vec3 place =
+    const glm::vec3 positionWo =
         glm::vec3(m_constants.woFromHd * glm::vec4(corner.placeHd, 1.0F)) + kRoundM * (turn * corner.normalHd);
     const glm::vec3 colour = glm::clamp(corner.colour, 0.004F, 1.0F);
     const simd::Triple<float> lit =
-        simd::hairLight(lighting, simd::HairPoint<float>{.place = triple(place),
+        simd::hairLight(lighting, simd::HairPoint<float>{.place = triple(positionWo),
                                                          .tangent = triple(turn * corner.tangentHd),
                                                          .colour = triple(colour),
                                                          .depth = simd::fibreDepth(triple(colour)),

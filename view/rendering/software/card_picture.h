@@ -22,7 +22,7 @@ struct CardBand
 class CardPicture
 {
 public:
-    /// Places and lights the corners. `cards` must outlive what is drawn of it.
+    /// Projects and lights the corners. `cards` must outlive what is drawn of it.
     void place(const CardSet& cards, const FrameConstants& constants);
     /// False where none of it lies in the band. Several threads may draw bands.
     bool drawBand(const CardBand& band) const;

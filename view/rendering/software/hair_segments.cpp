@@ -191,7 +191,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
         const float widthSp = hairWidthSp(group.groom->settings.material, constants);
         const float told = fine ? detail : std::min(detail, fractionThatTells(widthSp));
         detailThatTells = std::max(detailThatTells, listedDetail(told));
-        // More than the frame places can't be drawn.
+        // Only those that have positions in the frame can be drawn.
         const float fraction = group.detail < 1.0F ? std::min(told, group.detail / (1.0F + kFadingPart)) : told;
         list.update(group.groom, std::min(listedDetail(fraction), group.detail));
         if (list.slots().empty())

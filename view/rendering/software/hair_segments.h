@@ -36,7 +36,7 @@ public:
     [[nodiscard]] const OpacityGrids& grids() const { return m_grids; }
     [[nodiscard]] const TileGrid& tiles() const { return m_tiles; }
     [[nodiscard]] std::size_t hairs() const { return m_hairs; }
-    /// Hairs below it are drawn, where the frame places them.
+    /// Hairs below it are drawn, where the frame has positions of them.
     [[nodiscard]] float detail() const { return m_detail; }
     /// Of the batches drawn.
     [[nodiscard]] std::size_t segmentCount() const;

@@ -1,4 +1,4 @@
-// Places the vertices of head and solids, sorts their triangles into bands of rows and draws these side by side.
+// Transforms the vertices of head and solids, sorts their triangles into bands of rows and draws these side by side.
 #include "view/rendering/software/head_picture.h"
 
 #include "sim/base/parallel.h"

@@ -19,7 +19,7 @@ class HeadPicture
 {
 public:
     /// Draws the scene's head, solids and cards. `coarse`: where the view differs from the call before, headInMotion is
-    /// drawn in the head's place, unless null, and the head in the first call that does not differ.
+    /// drawn instead of the head, unless null, and the head in the first call that does not differ.
     void update(const Scene& scene, bool coarse, const FrameConstants& constants);
     [[nodiscard]] const std::vector<HeadSample>& samples() const { return m_samples; }
     /// Distances along the view, m; huge where there is no head.

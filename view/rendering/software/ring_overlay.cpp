@@ -57,8 +57,8 @@ private:
     }
     [[nodiscard]] float fromCentreM(glm::ivec2 at) const
     {
-        const glm::vec2 place = (glm::vec2(at) + 0.5F) / glm::vec2(m_constants.target) * 2.0F - 1.0F;
-        const glm::vec4 far = m_constants.woFromProjection * glm::vec4(place, 1.0F, 1.0F);
+        const glm::vec2 ndc = (glm::vec2(at) + 0.5F) / glm::vec2(m_constants.target) * 2.0F - 1.0F;
+        const glm::vec4 far = m_constants.woFromProjection * glm::vec4(ndc, 1.0F, 1.0F);
         const glm::vec3 eye(m_constants.eyeWo);
         const glm::vec3 ray = glm::vec3(far) / far.w - eye;
         const float distanceM = std::min(m_head.distancesM()[indexOf(at)], 100.0F);

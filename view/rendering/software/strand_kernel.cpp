@@ -30,7 +30,7 @@ constexpr float kFollowedWaves = 0.5F * (1.0F + sim::kFrizzFiner);
 
 static_assert(kMostLanes == kBlockLanes);
 
-/// Places in clip space without z.
+/// Positions in clip space without z.
 HWY_INLINE Triple<Lanes> projected(const glm::mat4& m, const Triple<Lanes>& p, float homogeneous)
 {
     const auto row = [&](int r) {
