@@ -2,6 +2,7 @@
 #include "sim/base/deterministic.h"
 #include "tests/rendering/renderer_fixture.h"
 #include "tests/support/test_grooms.h"
+#include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
 #include "view/rendering/scalp_tint.h"
 #include "view/rendering/software/software_renderer.h"
@@ -71,6 +72,25 @@ private Q_SLOTS:
             QVERIFY2(darker > 25, qPrintable(QString::number(darker)));
         }
         QVERIFY2(drawnOnce.difference(soft) < 2.0, qPrintable(QString::number(drawnOnce.difference(soft))));
+    }
+
+    void aLineWithoutRootsIsTintedAndTheSkinBeyondAnEdgeIsNot()
+    {
+        auto painted = std::make_shared<sim::TiledRaster>(*test::halves(1.0F, 0.0F));
+        constexpr int kLine = 128; // Two texels wide, at a quarter of the layout.
+        for (int y = 0; y < painted->size(); ++y)
+            for (int x = kLine - 1; x <= kLine; ++x)
+                painted->setTexel(x, y, {0});
+        sim::HeadMesh mesh = test::makePatchHead(1);
+        // On the line, just beyond the edge, within the hair.
+        mesh.uvs = {{0.25F, 0.5F}, {0.502F, 0.5F}, {0.4F, 0.5F}, {0.9F, 0.5F}};
+        ScalpTint tint;
+        QVERIFY(tint.update(std::make_shared<const sim::HeadMesh>(mesh),
+                            rendering::scalpTintSources(rootsAlone(0.8F, painted).get())));
+        QVERIFY(tint.texels()[2].w > 30000);
+        QCOMPARE(tint.texels()[0].w, tint.texels()[2].w);
+        QCOMPARE(tint.texels()[1].w, std::uint16_t{0});
+        QCOMPARE(tint.texels()[3].w, std::uint16_t{0});
     }
 
     void paintShowsInTheNextPicture()
