@@ -43,7 +43,7 @@ struct BodyGains
     float contact = 0.0F;  ///< and how much of the velocity into hair that is too dense, 0..1 at the greatest density.
 };
 
-inline constexpr int kStepsAGrid = 6;         ///< What hair around does is found anew after so many steps.
+inline constexpr int kStepsAGrid = 7;         ///< What hair around does is found anew after so many steps.
 inline constexpr float kBodyFastestM = 0.02F; ///< m a step: hair that is faster counts as moving at this speed.
 inline constexpr float kBodyLeaveM = 2e-4F;   ///< m a step: so fast hair leaves where it is too dense.
 inline constexpr int kFirstBodyNode = 1;      ///< The roots, which do not move, take no part.

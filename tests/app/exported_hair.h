@@ -25,15 +25,21 @@ inline std::optional<model::Project> styledProject(const QString& name)
     return project;
 }
 
-/// Written to `file` and read back; `hairs`: as with --hairs. Empty where it can't be written.
+/// A frame of the project's hair written to `file` and read back; `hairs`: as with --hairs. Empty where it can't be
+/// written.
+inline Strands exportedHair(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
+                            const QString& file, std::optional<std::size_t> hairs)
+{
+    model::ExportRequest request{.format = &model::exportFormats().front(), .target = &model::exportTargets().front()};
+    for (const model::HairGroup& group : project.groups)
+        request.curves.groups.push_back({.id = group.id, .name = group.name});
+    request.curves.hairs = hairs;
+    return model::exportHair(std::move(frame), request, file) ? readHair(file) : Strands();
+}
 inline Strands exportedHair(const app::SettledHair& hair, const QString& file,
                             std::optional<std::size_t> hairs = std::nullopt)
 {
-    model::ExportRequest request{.format = &model::exportFormats().front(), .target = &model::exportTargets().front()};
-    for (const model::HairGroup& group : hair.project().groups)
-        request.curves.groups.push_back({.id = group.id, .name = group.name});
-    request.curves.hairs = hairs;
-    return model::exportHair(hair.frame(), request, file) ? readHair(file) : Strands();
+    return exportedHair(hair.project(), hair.frame(), file, hairs);
 }
 
 } // namespace hairpaint::test
