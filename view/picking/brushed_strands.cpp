@@ -73,9 +73,26 @@ Nearest nearestOf(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d)
     return best;
 }
 
-PictureBox segmentBox(glm::vec3 from, glm::vec3 to)
+/// Of a block's segments between two nodes, those whose boxes meet a box before the eye: a bit a lane.
+std::uint32_t lanesMeeting(const float* from, const float* to, const PictureBox& box)
 {
-    return {std::min(from.x, to.x), std::min(from.y, to.y), std::max(from.x, to.x), std::max(from.y, to.y)};
+    std::array<std::uint32_t, kPickLanes> flags{};
+    for (std::size_t x = 0; x < kPickLanes; ++x) {
+        const std::size_t y = kPickLanes + x;
+        const std::size_t z = 2 * kPickLanes + x;
+        const float left = from[x] < to[x] ? from[x] : to[x];
+        const float right = from[x] < to[x] ? to[x] : from[x];
+        const float top = from[y] < to[y] ? from[y] : to[y];
+        const float bottom = from[y] < to[y] ? to[y] : from[y];
+        const float nearest = from[z] < to[z] ? from[z] : to[z];
+        flags[x] = static_cast<std::uint32_t>(left <= box.right) & static_cast<std::uint32_t>(right >= box.left) &
+                   static_cast<std::uint32_t>(top <= box.bottom) & static_cast<std::uint32_t>(bottom >= box.top) &
+                   static_cast<std::uint32_t>(nearest > 0.0F);
+    }
+    std::uint32_t lanes = 0;
+    for (std::size_t lane = 0; lane < kPickLanes; ++lane)
+        lanes |= flags[lane] << lane;
+    return lanes;
 }
 
 /// By strands, root first.
@@ -104,21 +121,22 @@ void touchBlock(const PictureHair& picture, std::size_t index, const PictureBrus
     // Of the brush, with room for the curls of the block.
     const PictureBox near =
         brush.box.widened(*std::max_element(strays, strays + kPickLanes) * picture.lens.pxPerM(nearestM));
-    for (std::uint32_t lanes = block.lanes; lanes != 0; lanes &= lanes - 1) {
+    std::vector<std::uint32_t> meeting(nodes);
+    std::uint32_t anywhere = 0;
+    for (std::size_t n = 1; n < nodes; ++n)
+        if (spanMeets[(n - 1) / HairBoxes::kSpan])
+            anywhere |= meeting[n] = block.lanes & lanesMeeting(seen[n - 1].data(), seen[n].data(), near);
+    for (std::uint32_t lanes = anywhere; lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
         const auto slot = static_cast<std::uint32_t>(block.firstSlot + lane);
         const auto at = [&](std::size_t n) {
             return glm::vec3(seen[n][lane], seen[n][kPickLanes + lane], seen[n][2 * kPickLanes + lane]);
         };
         for (std::size_t n = 1; n < nodes; ++n) {
-            if (!spanMeets[(n - 1) / HairBoxes::kSpan]) {
-                n = ((n - 1) / HairBoxes::kSpan + 1) * HairBoxes::kSpan;
+            if ((meeting[n] >> lane & 1U) == 0)
                 continue;
-            }
             const glm::vec3 from = at(n - 1);
             const glm::vec3 to = at(n);
-            if (!segmentBox(from, to).meets(near) || from.z <= 0.0F || to.z <= 0.0F)
-                continue;
             const float strayPx = strays[lane] * picture.lens.pxPerM(std::min(from.z, to.z));
             if (lane % kLanesAFront == 0)
                 front.add(from, to);
