@@ -1,9 +1,15 @@
 // What tools ask of the 3D area's picture of 100,000 hairs: strands under a brush of 4 cm, across a line, and what the
-// first question of a picture costs besides. Counter: strands met.
+// first question of a picture costs besides; and a move of a brush that colours hanging hair. Counter: strands met.
 #include "bench_scene.h"
 
+#include "model/files/preset_file.h"
+#include "model/files/project_file.h"
+#include "model/styles/style_use.h"
+#include "model/tools/selection.h"
+#include "model/tools/tool_list.h"
 #include "sim/groom/map_slot.h"
 #include "sim/motion/simulation.h"
+#include "view/look/resources.h"
 #include "view/picking/hair_picture.h"
 
 #include <benchmark/benchmark.h>
@@ -70,5 +76,58 @@ void pickPicture(benchmark::State& state)
         benchmark::DoNotOptimize(view::HairPicture(source).hair());
 }
 BENCHMARK(pickPicture)->Name("pick/picture")->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// What a move of the brush costs while it colours long hair that hangs.
+void hairStroke(benchmark::State& state)
+{
+    constexpr int kMoves = 12;
+    view::initResources();
+    model::Project project = model::newProject();
+    if (const auto preset = model::loadPreset(QStringLiteral(":/presets/long-straight.hairpreset")))
+        model::applyPreset(project, *preset);
+    model::Document document(std::move(project));
+    sim::Simulation simulation;
+    simulation.setInput(document.groomInput());
+    simulation.settle(1.0);
+    auto frame = std::make_shared<sim::StrandFrame>();
+    simulation.writeFrame(*frame);
+    const model::HairGroup& group = document.project().groups.front();
+    const model::LayerAddress target{group.id, model::MapKind::Colour,
+                                     group.map(model::MapKind::Colour).layers.front().id};
+    rendering::Camera camera;
+    camera.azimuthRad = 0.6F;
+    const auto picture =
+        std::make_shared<const view::HairPicture>(view::PictureSource{.frame = frame,
+                                                                      .group = static_cast<int>(group.id),
+                                                                      .camera = camera,
+                                                                      .size = kView,
+                                                                      .skin = document.project().head->skin});
+    model::Selection selection;
+    model::ToolSettings settings;
+    settings.value(model::MapKind::Colour).colour = QColor(200, 40, 40);
+    model::ToolContext context{
+        .document = document, .target = target, .settings = settings, .selection = selection, .seen = picture.get()};
+    const float pxPerM = view::Lens(camera, QSizeF(kView)).pxPerM(0.65F);
+    const auto eventAt = [&](int move) {
+        model::ToolEvent event{.area = model::Area::Head};
+        event.hair = model::OverHair{.position = QPointF(560.0, 420.0 + 12.0 * move), .pxPerM = pxPerM};
+        return event;
+    };
+    const std::unique_ptr<model::Tool> tool = model::makeBrushTool();
+    int move = 0;
+    for ([[maybe_unused]] auto _ : state) {
+        if (move % kMoves == 0) {
+            state.PauseTiming();
+            tool->cancel(context);
+            tool->press(eventAt(0), context);
+            state.ResumeTiming();
+        }
+        tool->move(eventAt(++move % kMoves), context);
+    }
+    tool->cancel(context);
+    state.counters["strands"] =
+        static_cast<double>(picture->under(eventAt(6).hair->position, 0.015 * static_cast<double>(pxPerM)).size());
+}
+BENCHMARK(hairStroke)->Name("pick/hair_stroke")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 } // namespace

@@ -17,8 +17,9 @@ namespace {
 
 constexpr std::size_t kBlocksATask = 64;
 constexpr float kLeastCellPx = 2.0F;
-constexpr float kCellsAcross = 24.0F;  ///< The brush.
-constexpr float kBesideBrushPx = 8.0F; ///< Hair so near to it is looked at, too: a curl may reach in.
+constexpr float kCellsAcross = 16.0F;   ///< The brush.
+constexpr std::size_t kLanesAFront = 4; ///< One strand of so many tells where the foremost hair is.
+constexpr float kBesideBrushPx = 8.0F;  ///< Hair so near to it is looked at, too: a curl may reach in.
 
 /// A segment of a skeleton that lies under the brush.
 struct Touch
@@ -51,6 +52,10 @@ Nearest nearestOf(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d)
         const glm::vec2 point = a + (b - a) * fraction;
         return glm::distance(point, c + (d - c) * fractionNear(point, c, d));
     };
+    if (c == d) {
+        const float fraction = fractionNear(c, a, b);
+        return {.fraction = fraction, .apart = apartAt(fraction)};
+    }
     const glm::vec2 way = b - a;
     const glm::vec2 other = d - c;
     const float area = way.x * other.y - way.y * other.x;
@@ -68,6 +73,28 @@ Nearest nearestOf(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d)
     return best;
 }
 
+/// Of a block's segments between two nodes, those whose boxes meet a box before the eye: a bit a lane.
+std::uint32_t lanesMeeting(const float* from, const float* to, const PictureBox& box)
+{
+    std::array<std::uint32_t, kPickLanes> flags{};
+    for (std::size_t x = 0; x < kPickLanes; ++x) {
+        const std::size_t y = kPickLanes + x;
+        const std::size_t z = 2 * kPickLanes + x;
+        const float left = from[x] < to[x] ? from[x] : to[x];
+        const float right = from[x] < to[x] ? to[x] : from[x];
+        const float top = from[y] < to[y] ? from[y] : to[y];
+        const float bottom = from[y] < to[y] ? to[y] : from[y];
+        const float nearest = from[z] < to[z] ? from[z] : to[z];
+        flags[x] = static_cast<std::uint32_t>(left <= box.right) & static_cast<std::uint32_t>(right >= box.left) &
+                   static_cast<std::uint32_t>(top <= box.bottom) & static_cast<std::uint32_t>(bottom >= box.top) &
+                   static_cast<std::uint32_t>(nearest > 0.0F);
+    }
+    std::uint32_t lanes = 0;
+    for (std::size_t lane = 0; lane < kPickLanes; ++lane)
+        lanes |= flags[lane] << lane;
+    return lanes;
+}
+
 /// By strands, root first.
 void touchBlock(const PictureHair& picture, std::size_t index, const PictureBrush& brush, std::vector<Touch>& touches,
                 FrontHair& front)
@@ -78,36 +105,41 @@ void touchBlock(const PictureHair& picture, std::size_t index, const PictureBrus
     const float* node = picture.hair->positions.data() + groom.blocks().index(groom.frameStrand(block.firstSlot), 0);
     std::vector<bool> spanMeets(picture.boxes.spans);
     std::vector<std::array<float, 3 * kPickLanes>> seen(nodes);
+    float nearestM = 1e9F;
     for (std::size_t span = 0; span < picture.boxes.spans; ++span) {
         const bool meets = picture.boxes.boxes[index * picture.boxes.spans + span].meets(brush.box);
         spanMeets[span] = meets;
         const std::size_t first = span * HairBoxes::kSpan;
-        for (std::size_t n = first; meets && n <= std::min(first + HairBoxes::kSpan, nodes - 1); ++n)
+        for (std::size_t n = first; meets && n <= std::min(first + HairBoxes::kSpan, nodes - 1); ++n) {
             picture.lens.seen(node + n * sim::StrandBlocks::kNodeStride, seen[n].data());
+            for (std::uint32_t lanes = block.lanes; lanes != 0; lanes &= lanes - 1)
+                nearestM =
+                    std::min(nearestM, seen[n][2 * kPickLanes + static_cast<std::size_t>(std::countr_zero(lanes))]);
+        }
     }
-    for (std::uint32_t lanes = block.lanes; lanes != 0; lanes &= lanes - 1) {
+    const float* strays = picture.boxes.strays.data() + index * kPickLanes;
+    // Of the brush, with room for the curls of the block.
+    const PictureBox near =
+        brush.box.widened(*std::max_element(strays, strays + kPickLanes) * picture.lens.pxPerM(nearestM));
+    std::vector<std::uint32_t> meeting(nodes);
+    std::uint32_t anywhere = 0;
+    for (std::size_t n = 1; n < nodes; ++n)
+        if (spanMeets[(n - 1) / HairBoxes::kSpan])
+            anywhere |= meeting[n] = block.lanes & lanesMeeting(seen[n - 1].data(), seen[n].data(), near);
+    for (std::uint32_t lanes = anywhere; lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
         const auto slot = static_cast<std::uint32_t>(block.firstSlot + lane);
-        const float stray = picture.boxes.strays[index * kPickLanes + lane];
         const auto at = [&](std::size_t n) {
             return glm::vec3(seen[n][lane], seen[n][kPickLanes + lane], seen[n][2 * kPickLanes + lane]);
         };
         for (std::size_t n = 1; n < nodes; ++n) {
-            if (!spanMeets[(n - 1) / HairBoxes::kSpan]) {
-                n = ((n - 1) / HairBoxes::kSpan + 1) * HairBoxes::kSpan;
+            if ((meeting[n] >> lane & 1U) == 0)
                 continue;
-            }
             const glm::vec3 from = at(n - 1);
             const glm::vec3 to = at(n);
-            if (from.z <= 0.0F || to.z <= 0.0F)
-                continue;
-            PictureBox box;
-            box.add(glm::vec2(from));
-            box.add(glm::vec2(to));
-            const float strayPx = stray * picture.lens.pxPerM(std::min(from.z, to.z));
-            if (!box.widened(strayPx).meets(brush.box))
-                continue;
-            front.add(from, to);
+            const float strayPx = strays[lane] * picture.lens.pxPerM(std::min(from.z, to.z));
+            if (lane % kLanesAFront == 0)
+                front.add(from, to);
             const Nearest nearest = nearestOf(glm::vec2(from), glm::vec2(to), brush.from, brush.to);
             if (nearest.apart <= brush.radiusPx + strayPx)
                 touches.push_back({.slot = slot,

@@ -8,7 +8,7 @@
 
 namespace hairpaint::view {
 
-/// A cell is closed where a few hairs lie before each other: one that strays hides nothing. The order in which points
+/// A cell is closed where two of the hairs that are added lie before each other: one that strays hides nothing. The order in which points
 /// come makes no difference.
 class FrontHair
 {
@@ -53,7 +53,7 @@ private:
     static constexpr float kOpen = 1e9F;
     static constexpr float kSeenM = 0.008F; ///< So far behind the foremost hair a lock still shows.
     static constexpr std::size_t kNoCell = ~std::size_t{0};
-    using Cell = std::array<float, 4>; ///< The least depths, ascending.
+    using Cell = std::array<float, 2>; ///< The least depths, ascending.
 
     [[nodiscard]] std::size_t cells(float px) const { return static_cast<std::size_t>(px / m_cellPx) + 1; }
     [[nodiscard]] std::size_t cellOf(glm::vec3 seen) const
