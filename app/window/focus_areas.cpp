@@ -1,6 +1,8 @@
 // The keyboard's way through the window: see the header.
 #include "app/window/focus_areas.h"
 
+#include "view/widgets/bar_slider.h"
+
 #include <QAbstractButton>
 #include <QApplication>
 #include <QButtonGroup>
@@ -68,11 +70,13 @@ bool FocusAreas::enter(Area& area, bool forward)
         return false;
     if (area.uncover)
         area.uncover();
-    QWidget* wanted = chosenIn(*area.widget);
+    // Where buttons come first, the chosen one; an area that begins with a slider is entered there.
+    QWidget* first = takesFocus(*area.widget, area.widget) ? area.widget : neighbour(*area.widget, area.widget, true);
+    QWidget* wanted = qobject_cast<view::BarSlider*>(first) == nullptr ? chosenIn(*area.widget) : nullptr;
     if (wanted == nullptr)
         wanted = area.lastFocused;
     if (!takesFocus(*area.widget, wanted))
-        wanted = takesFocus(*area.widget, area.widget) ? area.widget : neighbour(*area.widget, area.widget, true);
+        wanted = first;
     if (wanted == nullptr)
         return false;
     wanted->setFocus(forward ? Qt::TabFocusReason : Qt::BacktabFocusReason);
