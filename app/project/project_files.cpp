@@ -273,17 +273,13 @@ FileStamp ProjectFiles::stampBefore() const
 {
     if (!m_file.stamp().wholeName.isEmpty() || m_asRestored.bytes < 0)
         return m_file.stamp();
-    return {.wholeName = path(),
-            .exists = true,
-            .size = m_asRestored.bytes,
-            .modifiedMs = m_asRestored.timeMs};
+    return {.wholeName = path(), .exists = true, .size = m_asRestored.bytes, .modifiedMs = m_asRestored.timeMs};
 }
 
 model::KnownFile ProjectFiles::knownFile() const
 {
     const FileStamp& stamp = m_file.stamp();
-    return stamp.exists ? model::KnownFile{.bytes = stamp.size, .timeMs = stamp.modifiedMs}
-                        : m_asRestored;
+    return stamp.exists ? model::KnownFile{.bytes = stamp.size, .timeMs = stamp.modifiedMs} : m_asRestored;
 }
 
 bool ProjectFiles::openRepaired(const QString& path)
