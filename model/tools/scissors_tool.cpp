@@ -3,6 +3,7 @@
 #include "model/tools/cut_pieces.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirrored_roots.h"
+#include "model/tools/picker_tool.h"
 #include "model/tools/seen_hair.h"
 #include "model/tools/strand_lengths.h"
 #include "model/tools/tool_list.h"
@@ -96,7 +97,7 @@ public:
     [[nodiscard]] std::vector<CutPiece> takeCutOff() override { return std::exchange(m_cutOff, {}); }
 
     // On the skin, and in the paint area, there is nothing to cut.
-    void press(const ToolEvent& /*event*/, ToolContext& /*context*/) override {}
+    void press(const ToolEvent& event, ToolContext& context) override { (void)picksInstead(event, context); }
     void move(const ToolEvent& /*event*/, ToolContext& /*context*/) override {}
     void release(const ToolEvent& /*event*/, ToolContext& /*context*/) override {}
 
