@@ -3456,7 +3456,7 @@
     </message>
     <message>
         <source>Wind and lig&amp;ht by keys</source>
-        <translation>Viento y luz con &amp;teclas</translation>
+        <translation>Viento y luz con tecla&amp;s</translation>
     </message>
     <message>
         <source>Scal&amp;e the hair…</source>
@@ -3468,7 +3468,7 @@
     </message>
     <message>
         <source>C&amp;ut</source>
-        <translation>Co&amp;rtar</translation>
+        <translation>Cor&amp;tar</translation>
     </message>
     <message>
         <source>The hair is not cut: cancelled</source>

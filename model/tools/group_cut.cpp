@@ -40,6 +40,7 @@ GroupCut::GroupCut(ToolContext& context, std::shared_ptr<const sim::StrandFrame>
         return;
     m_edit.setText(text);
     m_lengths.emplace(*m_hair, std::move(length));
+    m_before.emplace(context.document, context.target.group, groom().roots);
 }
 
 float GroupCut::longestM() const
@@ -109,7 +110,9 @@ void GroupCut::toLevel(float heightHd)
                              static_cast<float>(i - 1) + (points[i - 1].y - heightHd) / (points[i - 1].y - points[i].y);
                      kept[slot] = at / static_cast<float>(points.size() - 1);
                  });
-    cut([&](std::uint32_t slot, float /*lengthM*/) { return kept[slot]; });
+    cut([&](std::uint32_t slot, float lengthM) {
+        return kept[slot] < 1.0F ? kept[slot] * groom().style(slot).lengthM / lengthM : 1.0F;
+    });
 }
 
 void GroupCut::cut(const std::function<float(std::uint32_t slot, float lengthM)>& keptOf)
@@ -120,7 +123,8 @@ void GroupCut::cut(const std::function<float(std::uint32_t slot, float lengthM)>
     for (std::uint32_t slot = 0; keptOf && slot < groom().roots->count(); ++slot) {
         if (!m_hair->places(slot))
             continue;
-        const float lengthM = groom().style(slot).lengthM;
+        const sim::StrandStyle& style = groom().style(slot);
+        const float lengthM = style.braid == sim::BraidKind::None ? m_before->at(slot) : style.lengthM;
         if (lengthM < kLeastLengthM)
             continue;
         if (const float kept = keptOf(slot, lengthM); kept < 1.0F)

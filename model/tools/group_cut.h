@@ -3,6 +3,7 @@
 
 #include "model/tools/cut_lengths.h"
 #include "model/tools/live_edit.h"
+#include "model/tools/strand_lengths.h"
 #include "sim/motion/strand_frame.h"
 
 #include <functional>
@@ -52,7 +53,8 @@ public:
     void cancel() { m_edit.cancel(); }
 
 private:
-    /// `keptOf(slot, lengthM)`: the fraction of that hair that stays; 1 and more: all.
+    /// `keptOf(slot, lengthM)`: the fraction of that length that stays; 1 and more: all. A baby hair's is what the map
+    /// tells.
     void cut(const std::function<float(std::uint32_t slot, float lengthM)>& keptOf);
     [[nodiscard]] const sim::Groom& groom() const { return *m_hair->groom; }
     void measureHeights();
@@ -64,6 +66,7 @@ private:
     const sim::GroupFrame* m_hair = nullptr; ///< In the frame.
     LiveEdit m_edit;
     std::optional<CutLengths> m_lengths;
+    std::optional<StrandLengths> m_before;
     std::vector<float> m_lowestHd; ///< By slot; empty until it is asked for.
 };
 

@@ -160,7 +160,7 @@ void ScissorsTool::pressPicture(const PictureEvent& event, ToolContext& context)
     const sim::GroupFrame* hair = m_seen->hair();
     if (hair == nullptr)
         return;
-    m_present.emplace(context.document, context.target.group);
+    m_present.emplace(context.document, context.target.group, hair->groom->roots);
     m_presentM.assign(hair->groom->roots->count(), -1.0F);
     m_lengths.emplace(*hair, std::move(length));
     if (context.mirror)
@@ -249,7 +249,7 @@ void ScissorsTool::takePresent(std::vector<StrandCut>& cuts)
         const sim::StrandStyle& seen = groom.style(one.slot);
         float& presentM = m_presentM[one.slot];
         if (presentM < 0.0F)
-            presentM = seen.braid == sim::BraidKind::None ? m_present->at(*groom.roots, one.slot) : seen.lengthM;
+            presentM = seen.braid == sim::BraidKind::None ? m_present->at(one.slot) : seen.lengthM;
         const float keptM = one.kept * seen.lengthM;
         one.kept = keptM / std::max(presentM, kSameM);
         return keptM > presentM - kSameM;

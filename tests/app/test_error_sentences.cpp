@@ -124,6 +124,16 @@ const Exceptions& otherSentences()
          QStringLiteral("a repair's list")},
         {QStringLiteral("The lower %4 % of the paint of the layer '%3' of %2 in the group '%1' are lost."),
          QStringLiteral("a repair's list")},
+        {QStringLiteral(
+             "All hair of “%1” becomes shorter by as much; what is shorter than hair may become stays as it is."),
+         QStringLiteral("what a cut does to a group")},
+        {QStringLiteral("Each hair of “%1” that hangs lower ends there, as it lies now."),
+         QStringLiteral("what a cut does to a group")},
+        {QStringLiteral("Hair of “%1” is cut by its distance from the crown; what is shorter stays as it is."),
+         QStringLiteral("what a cut does to a group")},
+        {QStringLiteral("Hair of “%1” becomes shorter from the top down to the skin at the sides and the nape; what is "
+                        "shorter stays as it is."),
+         QStringLiteral("what a cut does to a group")},
     };
     return exceptions;
 }

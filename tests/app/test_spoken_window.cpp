@@ -1,5 +1,6 @@
 // The real window in other languages: in one whose every letter is marked no plain word is seen, and nothing is cut
 // off.
+#include "app/session/libraries.h"
 #include "app/styles/library.h"
 #include "app/window/main_window.h"
 #include "model/styles/hair_kinds.h"
@@ -51,6 +52,8 @@ QString withoutExceptions(QString text, const QString& driver)
     };
     for (const QRegularExpression& exception : kExceptions)
         text.remove(exception);
+    for (const QString& library : librariesInUse())
+        text.remove(library.section(QLatin1Char(' '), 0, 0)); // A line may break before its version.
     return text.remove(QSysInfo::prettyProductName()).remove(driver);
 }
 

@@ -83,7 +83,7 @@ OptionBar::OptionBar(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     setAccessibleName(tr("Tool options"));
     m_row = new QHBoxLayout(this);
     m_row->setContentsMargins(metrics::kPadding, 0, metrics::kPadding, 1);
-    m_row->setSpacing(metrics::kGap);
+    m_row->setSpacing(metrics::kGap - 2);
     m_toolIcon = new QLabel(this);
     m_toolName = new QLabel(this);
     m_toolName->setMinimumWidth(56);
