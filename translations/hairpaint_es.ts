@@ -3456,7 +3456,7 @@
     </message>
     <message>
         <source>Wind and lig&amp;ht by keys</source>
-        <translation>Viento y luz con tecla&amp;s</translation>
+        <translation>Viento &amp;y luz con teclas</translation>
     </message>
     <message>
         <source>Scal&amp;e the hair…</source>

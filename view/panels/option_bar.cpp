@@ -82,7 +82,7 @@ OptionBar::OptionBar(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     setFixedHeight(metrics::kOptionBar);
     setAccessibleName(tr("Tool options"));
     m_row = new QHBoxLayout(this);
-    m_row->setContentsMargins(metrics::kPadding, 0, metrics::kPadding, 1);
+    m_row->setContentsMargins(metrics::kGap, 0, metrics::kGap, 1);
     m_row->setSpacing(metrics::kGap - 2);
     m_toolIcon = new QLabel(this);
     m_toolName = new QLabel(this);
@@ -193,6 +193,7 @@ void OptionBar::build(Option& option, const model::ToolSwitch& one)
 void OptionBar::build(Option& option, const model::ToolChoice& choice)
 {
     option.widget = box(this);
+    option.widget->layout()->setSpacing(0); // One choice.
     auto* group = new QButtonGroup(option.widget);
     for (const model::ToolChoice::Item& entry : choice.entries) {
         QToolButton* button = toggle(QLatin1StringView(entry.icon), entry.titleText(), option.widget);
