@@ -8,8 +8,8 @@
 
 namespace hairpaint::view {
 
-/// A cell is closed where two of the hairs that are added lie before each other: one that strays hides nothing. The order in which points
-/// come makes no difference.
+/// A cell is closed where two of the hairs that are added lie before each other: one that strays hides nothing. The
+/// order in which points come makes no difference.
 class FrontHair
 {
 public:
