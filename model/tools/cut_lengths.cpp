@@ -65,7 +65,8 @@ CutLengths::CutLengths(const sim::GroupFrame& hair, sim::MapRaster shown) : m_sh
         std::uint32_t most = 1; // Where hair ends in a tile, roots are no further apart than in the next one.
         for (int y = std::max(tile / across - 1, 0); y <= std::min(tile / across + 1, across - 1); ++y)
             for (int x = std::max(tile % across - 1, 0); x <= std::min(tile % across + 1, across - 1); ++x) {
-                const auto beside = static_cast<std::size_t>(y * across + x);
+                const std::size_t beside =
+                    static_cast<std::size_t>(y) * static_cast<std::size_t>(across) + static_cast<std::size_t>(x);
                 most = std::max(most, m_firstOfTile[beside + 1] - m_firstOfTile[beside]);
             }
         m_reachTx[static_cast<std::size_t>(tile)] = std::clamp(
@@ -123,7 +124,9 @@ void CutLengths::findTiles()
         const int last = m_shown->size() - 1;
         for (int y = std::max(first.y - reach, 0) / kTile; y <= std::min(first.y + 1 + reach, last) / kTile; ++y)
             for (int x = std::max(first.x - reach, 0) / kTile; x <= std::min(first.x + 1 + reach, last) / kTile; ++x)
-                if (int& work = m_workOfTile[static_cast<std::size_t>(y * across + x)]; work < 0) {
+                if (int& work = m_workOfTile[static_cast<std::size_t>(y) * static_cast<std::size_t>(across) +
+                                             static_cast<std::size_t>(x)];
+                    work < 0) {
                     work = 0;
                     m_tiles.push_back(y * across + x);
                 }
@@ -142,7 +145,7 @@ void forTilesAround(int tile, int across, const Use& use)
 {
     for (int y = std::max(tile / across - 1, 0); y <= std::min(tile / across + 1, across - 1); ++y)
         for (int x = std::max(tile % across - 1, 0); x <= std::min(tile % across + 1, across - 1); ++x)
-            use(static_cast<std::size_t>(y * across + x));
+            use(static_cast<std::size_t>(y) * static_cast<std::size_t>(across) + static_cast<std::size_t>(x));
 }
 
 void CutLengths::findOwners(int tile)

@@ -27,14 +27,14 @@ inline std::optional<model::Project> styledProject(const QString& name)
 
 /// A frame of the project's hair written to `file` and read back; `hairs`: as with --hairs. Empty where it can't be
 /// written.
-inline Strands exportedHair(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
+inline Strands exportedHair(const model::Project& project, const std::shared_ptr<const sim::StrandFrame>& frame,
                             const QString& file, std::optional<std::size_t> hairs)
 {
     model::ExportRequest request{.format = &model::exportFormats().front(), .target = &model::exportTargets().front()};
     for (const model::HairGroup& group : project.groups)
         request.curves.groups.push_back({.id = group.id, .name = group.name});
     request.curves.hairs = hairs;
-    return model::exportHair(std::move(frame), request, file) ? readHair(file) : Strands();
+    return model::exportHair(frame, request, file) ? readHair(file) : Strands();
 }
 inline Strands exportedHair(const app::SettledHair& hair, const QString& file,
                             std::optional<std::size_t> hairs = std::nullopt)

@@ -89,8 +89,8 @@ inline float coatM(const Strands& hairs, const sim::Skin& skin, double fraction)
     constexpr float kEachM = 0.01F;
     std::vector<float> heights;
     for (const std::vector<glm::vec3>& hair : hairs)
-        for (float alongM = kEachM; alongM < 0.15F; alongM += kEachM) {
-            const glm::vec3 p = pointAfter(hair, alongM);
+        for (int i = 1; i < 15; ++i) {
+            const glm::vec3 p = pointAfter(hair, static_cast<float>(i) * kEachM);
             if (p == hair.back() || p.y < kUpperHeadY)
                 break;
             heights.push_back(glm::distance(p, skin.nearest(p).positionHd));
@@ -167,7 +167,7 @@ inline PartMeasures partOf(const Strands& hairs)
         ++counts[std::min(static_cast<std::size_t>(std::abs(root.x) / kBinM), std::size_t{kBins - 1})];
     }
     PartMeasures found;
-    const double beside = std::accumulate(counts.begin() + kBins / 2, counts.end(), 0.0) / (kBins / 2);
+    const double beside = std::accumulate(counts.begin() + kBins / 2, counts.end(), 0.0) / (0.5 * kBins);
     for (int bin = 0; bin < kBins && counts[static_cast<std::size_t>(bin)] < 0.5 * beside; ++bin)
         found.gapM = 2.0F * kBinM * static_cast<float>(bin + 1);
     std::vector<float> line;
@@ -209,7 +209,7 @@ inline double bareShare(const Strands& hairs, const glm::vec3& crown)
                 const int x = static_cast<int>(std::floor(p.x / kSquareM)) + kSquares / 2;
                 const int z = static_cast<int>(std::floor(p.z / kSquareM)) + kSquares / 2;
                 if (p.y > -0.02F && x >= 0 && x < kSquares && z >= 0 && z < kSquares)
-                    ++passed[static_cast<std::size_t>(z * kSquares + x)];
+                    ++passed[static_cast<std::size_t>(z) * kSquares + static_cast<std::size_t>(x)];
             }
     return static_cast<double>(std::ranges::count_if(passed, [](int times) { return times < 3; })) /
            static_cast<double>(passed.size());

@@ -7,7 +7,6 @@
 #include "view/head_area/head_overlay.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace hairpaint::app {
 
@@ -106,7 +105,7 @@ private Q_SLOTS:
         for (std::uint32_t slot = 0; slot < was.groom->roots->count(); ++slot) {
             if (!was.places(slot) || !hair().groom->isDrawn(slot))
                 continue;
-            if (std::memcmp(&was.groom->style(slot), &hair().groom->style(slot), sizeof(sim::StrandStyle)) != 0)
+            if (!test::isSame(was.groom->style(slot), hair().groom->style(slot)))
                 endsM.push_back(static_cast<double>(test::drawnPoints(hair(), slot).back().y));
         }
         QVERIFY(endsM.size() > 200);

@@ -24,7 +24,7 @@ class Front : public model::SeenHair
 public:
     explicit Front(std::shared_ptr<const sim::StrandFrame> frame) : m_frame(std::move(frame))
     {
-        const sim::GroupFrame& group = *hair();
+        const sim::GroupFrame& group = m_frame->groups.front();
         for (std::uint32_t slot = 0; slot < group.groom->roots->count(); ++slot)
             if (group.places(slot))
                 m_met.push_back({.root = {}, .lengthM = 1.0F, .slot = slot});
@@ -102,7 +102,7 @@ void scissorsMove(benchmark::State& state)
     }
     (*scissors)->cancel(context);
     state.counters["hairs"] = static_cast<double>(front.placed);
-    state.counters["cut"] = static_cast<double>(front.placed / 10);
+    state.counters["cut"] = static_cast<double>(front.placed) / 10.0;
 }
 
 BENCHMARK(scissorsMove)->Name("scissors_move")->ArgName("mirror")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);

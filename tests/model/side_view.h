@@ -29,6 +29,12 @@ struct LiveHair
     }
 };
 
+/// Byte for byte.
+inline bool isSame(const sim::StrandStyle& a, const sim::StrandStyle& b)
+{
+    return std::ranges::equal(std::as_bytes(std::span(&a, 1)), std::as_bytes(std::span(&b, 1)));
+}
+
 /// A drawn strand's points, Hd; the head stands where it is.
 inline std::vector<glm::vec3> drawnPoints(const sim::GroupFrame& hair, std::uint32_t slot)
 {

@@ -7,7 +7,6 @@
 #include <QtTest>
 
 #include <cmath>
-#include <cstring>
 #include <set>
 
 using namespace hairpaint;
@@ -80,7 +79,7 @@ private Q_SLOTS:
                  qPrintable(QStringLiteral("%1 of %2").arg(near).arg(endsM.size())));
         for (std::uint32_t slot = 0; slot < was.groom->roots->count(); ++slot)
             if (was.places(slot) && !cut.contains(slot))
-                QVERIFY(std::memcmp(&was.groom->style(slot), &is.groom->style(slot), sizeof(sim::StrandStyle)) == 0);
+                QVERIFY(isSame(was.groom->style(slot), is.groom->style(slot)));
     }
 };
 

@@ -78,6 +78,7 @@ struct HairyPicture : HeadFixture
 std::vector<std::uint32_t> slotsOf(const std::vector<model::SeenStrand>& strands)
 {
     std::vector<std::uint32_t> slots;
+    slots.reserve(strands.size());
     for (const model::SeenStrand& strand : strands)
         slots.push_back(strand.slot);
     return slots;
