@@ -404,7 +404,7 @@ private Q_SLOTS:
             QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
             environment.insert(QLatin1StringView(kFolderVariable), m_folder.path());
             environment.insert(QLatin1StringView(kSeedVariable), QString::number(turn));
-            std::size_t starts = static_cast<std::size_t>(turn);
+            auto starts = static_cast<std::size_t>(turn);
             const auto start = [&](const char* what) {
                 environment.insert(QStringLiteral("TZ"), QLatin1StringView(kZones[starts++ % kZones.size()]));
                 window.setProcessEnvironment(environment);

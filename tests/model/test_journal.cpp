@@ -138,7 +138,8 @@ void TestJournal::aFileThatIsDamagedAnywhereGivesAStateOrASentence()
         const auto size = static_cast<unsigned>(whole.size());
         const unsigned first = turn % 2 == 0 ? 0 : size - std::min(size, kLastBytes);
         for (int k = 0; k <= turn % 3; ++k)
-            damaged[static_cast<qsizetype>(first + random() % (size - first))] = static_cast<char>(random());
+            damaged[static_cast<qsizetype>(first) + static_cast<qsizetype>(random() % (size - first))] =
+                static_cast<char>(random());
         QVERIFY(writeFile(file(), damaged));
         const auto work = readJournal(file());
         if (!work)
