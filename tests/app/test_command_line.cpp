@@ -258,6 +258,22 @@ private Q_SLOTS:
                  qPrintable(without.output));
     }
 
+    void anOutputWithoutAnEndingIsRefused_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        for (const char* verb : {"export", "render", "repair"})
+            QTest::newRow(verb) << QStringList{QString::fromLatin1(verb), QStringLiteral("a.hairpaint")};
+        QTest::newRow("new") << QStringList{QStringLiteral("new")};
+    }
+    void anOutputWithoutAnEndingIsRefused()
+    {
+        QFETCH(const QStringList, arguments);
+        const Outcome outcome = runProgram(arguments + QStringList{QStringLiteral("-o"), path("unended")});
+        QCOMPARE(outcome.code, 2);
+        QVERIFY2(outcome.error.contains(QStringLiteral("takes a name that ends in .")), qPrintable(outcome.error));
+        QVERIFY(!QFileInfo::exists(path("unended")));
+    }
+
     /// Such names can't be told apart once they are text: nothing is written under another one.
     void namesThatAreNotUtf8AreRefused()
     {
