@@ -1,7 +1,5 @@
 // Tools of the real window that work with the hair that is drawn: holding it as it lies, grabbing it, and the hairs
 // that tell its directions.
-#include "model/files/preset_file.h"
-#include "model/styles/preset.h"
 #include "model/tools/lying_hair.h"
 #include "sim/groom/direction_texel.h"
 #include "tests/app/window_fixture.h"
@@ -21,16 +19,6 @@ class TestWindowHair : public QObject, private WindowFixture
 {
     Q_OBJECT
 private:
-    void openWithStyle(const char* id)
-    {
-        model::Project project = model::newProject();
-        const auto preset = model::loadPreset(QStringLiteral(":/presets/%1.hairpreset").arg(QLatin1StringView(id)));
-        QVERIFY(preset.has_value());
-        model::applyPreset(project, *preset);
-        openWindow(std::move(project));
-        awaitNewestHair();
-        QVERIFY(hairs() > 500);
-    }
     [[nodiscard]] std::shared_ptr<const sim::TiledRaster> map(model::MapKind kind)
     {
         return session().document().resolved(editor().target().group(), kind);

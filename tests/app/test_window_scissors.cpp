@@ -1,6 +1,4 @@
 // Cutting hair in the real window, by mouse.
-#include "model/files/preset_file.h"
-#include "model/styles/style_use.h"
 #include "tests/app/window_fixture.h"
 #include "tests/model/side_view.h"
 #include "tests/support/test_program.h"
@@ -14,16 +12,6 @@ class TestWindowScissors : public QObject, private WindowFixture
 {
     Q_OBJECT
 private:
-    void openWithStyle(const char* id)
-    {
-        model::Project project = model::newProject();
-        const auto preset = model::loadPreset(QStringLiteral(":/presets/%1.hairpreset").arg(QLatin1StringView(id)));
-        QVERIFY(preset.has_value());
-        model::applyPreset(project, *preset);
-        openWindow(std::move(project));
-        awaitNewestHair();
-        QVERIFY(hairs() > 500);
-    }
     [[nodiscard]] view::HeadView& head() { return m_window->headView(); }
     [[nodiscard]] std::shared_ptr<const sim::TiledRaster> lengths()
     {
@@ -143,6 +131,24 @@ private Q_SLOTS:
         QTest::mouseClick(&m_window->paintView(), Qt::LeftButton, {}, paintPoint(0.5F, 0.5F));
         QCOMPARE(told, QStringList{QStringLiteral("Scissors: draw over the hair in the 3D area.")});
         QCOMPARE(stack().count(), steps);
+    }
+
+    void withCtrlTheScissorsTakeTheValueUnderThePointer()
+    {
+        openWithStyle("bob");
+        key(Qt::Key_K);
+        const auto length = [this] { return editor().tools().settings().value(model::MapKind::Length).scalar; };
+        const float before = length();
+        QTest::mouseClick(&m_window->paintView(), Qt::LeftButton, Qt::ControlModifier, paintPoint(0.5F, 0.5F));
+        const float inTheMap = length();
+        QVERIFY(inTheMap != before);
+        model::ToolSettings settings = editor().tools().settings();
+        settings.value(model::MapKind::Length).scalar = before;
+        editor().tools().setSettings(settings);
+        lookFromTheSide(-0.02F);
+        QTest::mouseClick(&head(), Qt::LeftButton, Qt::ControlModifier, head().rect().center());
+        QVERIFY(length() != before);
+        QCOMPARE(stack().count(), 0);
     }
 };
 

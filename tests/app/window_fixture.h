@@ -3,6 +3,9 @@
 
 #include "app/styles/library.h"
 #include "app/window/main_window.h"
+#include "model/files/preset_file.h"
+#include "model/files/project_file.h"
+#include "model/styles/style_use.h"
 #include "tests/app/thin_project.h"
 #include "tests/support/await.h"
 #include "view/head_area/head_view.h"
@@ -77,6 +80,18 @@ protected:
         auto* styles = m_window->findChild<view::StyleStrip*>();
         QTRY_VERIFY_WITH_TIMEOUT(!styles->paths().empty(), kPatienceMs); // They are read in the background.
         editor().options().setMirror(false);
+    }
+
+    /// A built-in style on the built-in head, by its file's name.
+    void openWithStyle(const char* id)
+    {
+        model::Project project = model::newProject();
+        const auto preset = model::loadPreset(QStringLiteral(":/presets/%1.hairpreset").arg(QLatin1StringView(id)));
+        QVERIFY(preset.has_value());
+        model::applyPreset(project, *preset);
+        openWindow(std::move(project));
+        awaitNewestHair();
+        QVERIFY(hairs() > 500);
     }
 
     /// Waits for the hair of the newest content, at rest: a step of the head that is too small to be seen goes to the

@@ -1,6 +1,7 @@
 // A ball with hair in the 3D area, driven by mouse, wheel and keys; its pictures come from an off-screen context.
 #pragma once
 
+#include "model/document/commands.h"
 #include "sim/motion/simulation.h"
 #include "tests/support/view_fixture.h"
 #include "view/head_area/head_view.h"
@@ -68,6 +69,21 @@ struct HeadFixture
         auto frame = std::make_shared<sim::StrandFrame>();
         simulation.writeFrame(*frame);
         return frame;
+    }
+
+    /// The first layer of a map of the group.
+    void fill(model::MapKind map, std::uint16_t value)
+    {
+        const model::HairGroup& group = editor.document.project().groups.front();
+        sim::TiledRaster raster = group.map(map).layers.front().raster;
+        model::LayerTiles tiles;
+        for (int index = 0; index < raster.tileCount(); ++index) {
+            raster.setUniform(index, {value, 65535, 0, 0});
+            tiles.emplace_back(index, raster.tile(index));
+        }
+        editor.document.push(model::paintCommand(
+            editor.document, {.group = group.id, .map = map, .layer = group.map(map).layers.front().id}, tiles,
+            QStringLiteral("fill")));
     }
 
     test::Editor editor;

@@ -21,18 +21,6 @@ struct HairyBall : HeadFixture
 {
     HairyBall()
     {
-        const model::HairGroup& group = editor.document.project().groups.front();
-        const auto fill = [&](model::MapKind map, std::uint16_t value) {
-            sim::TiledRaster raster = group.map(map).layers.front().raster;
-            model::LayerTiles tiles;
-            for (int index = 0; index < raster.tileCount(); ++index) {
-                raster.setUniform(index, {value, 65535, 0, 0});
-                tiles.emplace_back(index, raster.tile(index));
-            }
-            editor.document.push(model::paintCommand(
-                editor.document, {.group = group.id, .map = map, .layer = group.map(map).layers.front().id}, tiles,
-                QStringLiteral("fill")));
-        };
         fill(model::MapKind::Density, 65535);
         standing = std::make_shared<sim::StrandFrame>(*frame());
         for (sim::GroupFrame& one : standing->groups) {

@@ -22,18 +22,6 @@ struct HairyPicture : HeadFixture
 {
     explicit HairyPicture(std::uint16_t curl = 0)
     {
-        const model::HairGroup& group = editor.document.project().groups.front();
-        const auto fill = [&](model::MapKind map, std::uint16_t value) {
-            sim::TiledRaster raster = group.map(map).layers.front().raster;
-            model::LayerTiles tiles;
-            for (int index = 0; index < raster.tileCount(); ++index) {
-                raster.setUniform(index, {value, 65535, 0, 0});
-                tiles.emplace_back(index, raster.tile(index));
-            }
-            editor.document.push(model::paintCommand(
-                editor.document, {.group = group.id, .map = map, .layer = group.map(map).layers.front().id}, tiles,
-                QStringLiteral("fill")));
-        };
         fill(model::MapKind::Density, 25000);
         fill(model::MapKind::Length, 15000);
         fill(model::MapKind::Curl, curl);

@@ -216,7 +216,7 @@ void ToolBox::tellOfCtrl(model::Area area, Qt::KeyboardModifiers modifiers)
 
 void ToolBox::press(const model::ToolEvent& event)
 {
-    if (active().pictureHandler() != nullptr) {
+    if (active().pictureHandler() != nullptr && !event.modifiers.testFlag(Qt::ControlModifier)) {
         Q_EMIT refused(tr("%1: draw over the hair in the 3D area.").arg(active().title()));
         return;
     }

@@ -51,7 +51,9 @@ HeadPointer::Drag HeadPointer::dragOf(const PointerSample& pressed)
     const bool alt = pressed.modifiers.testFlag(Qt::AltModifier);
     if (!alt && m_wornDrag.press(pressed))
         return Drag::Worn;
-    if (!alt && m_editor.tools().active().pictureHandler() != nullptr)
+    // With Ctrl the value at the skin is taken.
+    if (!alt && !pressed.modifiers.testFlag(Qt::ControlModifier) &&
+        m_editor.tools().active().pictureHandler() != nullptr)
         return Drag::Picture;
     if (!alt && grabs()) {
         m_grabbed = m_scene.hairAt(pressed.position);
