@@ -158,14 +158,8 @@ private Q_SLOTS:
     }
 
 private:
-    [[nodiscard]] QString path(const char* name) const
-    {
-        return m_folder.filePath(QString::fromUtf8(name));
-    }
-    [[nodiscard]] QString prefix() const
-    {
-        return path("opt/hair paint \u00e9");
-    }
+    [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QString::fromUtf8(name)); }
+    [[nodiscard]] QString prefix() const { return path("opt/hair paint \u00e9"); }
 
     /// In the prefix, with a home of its own.
     Outcome run(const QString& program, const QStringList& arguments)
