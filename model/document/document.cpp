@@ -177,7 +177,7 @@ sim::GroomInput Document::groomInput() const
     input.preview = previewing();
     for (const HairGroup& group : shown.groups) {
         if (resolved(group.id, MapKind::Density) == nullptr)
-            continue; // Its maps are on their way.
+            continue; // Its maps are still being resolved.
         sim::GroomInput::Group& one = input.groups.emplace_back();
         one.id = group.id;
         one.visible = group.visible;

@@ -1,4 +1,4 @@
-// What a running edit session shows, as the document keeps it.
+// The preview of a running edit session, as the document holds it.
 #pragma once
 
 #include "model/document/edit_command.h"
@@ -18,17 +18,17 @@ struct RunningEdit
     std::map<LayerAddress, std::map<int, sim::RasterTilePtr>> tiles;
 
     [[nodiscard]] bool showsSomething() const { return !parts.empty() || !tiles.empty(); }
-    /// Puts `part` over the committed content, instead of the one for the same part of the content.
+    /// Replaces the previewed part for the same part of the content by `part`.
     void showPart(const Project& committed, ShownPart part);
-    /// The change to tell; none where the layer is not there.
+    /// The change to emit; none if the layer does not exist.
     std::optional<Change> showTiles(const LayerAddress& address, const LayerTiles& tiles);
-    /// Everything that was told of it.
+    /// All changes emitted for this edit.
     [[nodiscard]] std::vector<Change> changes() const;
-    /// Gives committed content the bytes that are shown. Null where nothing differs.
+    /// A command that makes the previewed bytes the committed content. Null if nothing differs.
     [[nodiscard]] CommandPtr command(Document& document) const;
 };
 
-/// Whether telling of `told` tells all that `change` says.
+/// Whether the change `told` covers `change`.
 [[nodiscard]] bool covers(const Change& told, const Change& change);
 
 } // namespace hairpaint::model

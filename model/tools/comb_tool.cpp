@@ -1,4 +1,4 @@
-// The comb: lays hair along the pointer's way over the skin, lifts it, smooths it, ruffles it, lays a whorl, or holds
+// The comb: lays hair along the pointer's path over the skin, lifts it, smooths it, ruffles it, lays a whorl, or holds
 // it.
 #include "model/maps/compositor.h"
 #include "model/tools/brush_path.h"
@@ -64,7 +64,7 @@ constexpr std::array kCombOptions{&kCombKind,     &kSizeOption, &kHardnessOption
 
 constexpr float kCombSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
 constexpr float kCombLeastStepTx = 0.5F;
-constexpr float kSmoothing = 0.25F; ///< Of the diameter: the way over which the direction follows the pointer.
+constexpr float kSmoothing = 0.25F; ///< Of the diameter: the distance over which the direction follows the pointer.
 constexpr float kLeastSmoothingM = 0.002F;
 constexpr float kJumpM = 0.03F;             ///< Points further apart than this, and than the dabs, are no motion.
 constexpr float kSmoothReach = 0.2F;        ///< Of the diameter: from where neighbours are taken.
@@ -355,13 +355,14 @@ bool CombTool::turnTowards(glm::vec3 motionHd, float sizeM)
         return false;
     const float smoothingM = std::max(kSmoothing * sizeM, kLeastSmoothingM);
     const glm::vec3 now = motionHd / moved;
-    const glm::vec3 way = m_strokeHd ? *m_strokeHd + (now - *m_strokeHd) * (1.0F - std::exp(-moved / smoothingM)) : now;
-    const float length = glm::length(way);
-    m_strokeHd = length > 0.1F ? way / length : now; // Turned right back: no way in between.
+    const glm::vec3 direction =
+        m_strokeHd ? *m_strokeHd + (now - *m_strokeHd) * (1.0F - std::exp(-moved / smoothingM)) : now;
+    const float length = glm::length(direction);
+    m_strokeHd = length > 0.1F ? direction / length : now; // Turned right back: none in between.
     return true;
 }
 
-/// Strands that the pointer passes lie along its way from their roots on.
+/// Strands that the pointer passes lie along its path from their roots on.
 void CombTool::combHair(const ToolEvent& event, const ToolContext& context)
 {
     const ToolSettings& settings = context.settings;
@@ -428,11 +429,11 @@ glm::vec2 CombTool::along(glm::vec2 uv, glm::vec3 strokeHd, const sim::SkinFrame
 {
     constexpr float kSteep = 0.1F;
     const sim::SkinFrame frame = m_frames->at(uv).value_or(centre);
-    glm::vec2 way = frame.fromHd(strokeHd);
-    if (glm::length(way) < kSteep)
-        way = centre.fromHd(strokeHd);
-    const float length = glm::length(way);
-    return length > 0.0F ? way / length : glm::vec2(0.0F);
+    glm::vec2 direction = frame.fromHd(strokeHd);
+    if (glm::length(direction) < kSteep)
+        direction = centre.fromHd(strokeHd);
+    const float length = glm::length(direction);
+    return length > 0.0F ? direction / length : glm::vec2(0.0F);
 }
 
 /// What the modes that do not follow the pointer make of the hair that is there.
@@ -445,12 +446,12 @@ glm::vec2 CombTool::restyled(glm::vec2 uv, const ToolSettings& settings)
     if (settings.comb == CombKind::Noise) {
         const glm::ivec2 cell(glm::floor(uv * kRuffleCells));
         const float stretched = std::clamp(length * (1.0F + kRuffleLength * noiseAt(cell.x, cell.y, 2)), 0.0F, 1.0F);
-        const glm::vec2 way = length > 0.0F ? was / length : glm::vec2(0.0F);
-        return turnedBy(way * stretched, kRuffleRad * noiseAt(cell.x, cell.y, 1));
+        const glm::vec2 direction = length > 0.0F ? was / length : glm::vec2(0.0F);
+        return turnedBy(direction * stretched, kRuffleRad * noiseAt(cell.x, cell.y, 1));
     }
     const float flat =
         settings.lift < 0.0F ? length + (1.0F - length) * -settings.lift : length * (1.0F - settings.lift);
-    return length > 1e-4F ? was * (flat / length) : was; // Upright hair has no way to lie.
+    return length > 1e-4F ? was * (flat / length) : was; // Upright hair has no direction along the skin.
 }
 
 glm::vec2 CombTool::smoothed(glm::vec2 uv, glm::vec2 reachUv)
@@ -474,7 +475,7 @@ glm::vec2 CombTool::smoothed(glm::vec2 uv, glm::vec2 reachUv)
             count += 1.0F;
         }
     }
-    // The mean way with the mean length: where hair turns, smoothing does not raise it.
+    // The mean direction with the mean length: where hair turns, smoothing does not raise it.
     const glm::vec2 mean = own->fromHd(sum) / count;
     const float length = glm::length(mean);
     return length > 1e-4F ? mean * (lengths / (count * length)) : mean;

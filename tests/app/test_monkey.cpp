@@ -1,4 +1,4 @@
-// Somebody who knows nothing clicks, drags and types at random: nothing may break, and undo leads all the way back.
+// Somebody who knows nothing clicks, drags and types at random: nothing may break, and undo leads back to the start.
 #include "app/session/large_memory.h"
 #include "model/document/edit_command.h"
 #include "model/files/preset_file.h"

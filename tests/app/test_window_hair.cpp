@@ -33,22 +33,22 @@ private Q_SLOTS:
     void initTestCase() { prepareApplication(); }
     void cleanup() { m_window.reset(); }
 
-    /// Moving hair is placed as far as it is drawn; what is exported or saved has every hair.
+    /// Moving hair is positioned as far as it is drawn; what is exported or saved has every hair.
     void whatIsMadeOfMovingHairHasAllOfIt()
     {
         model::Project project = starterProject();
         project.wind = {.enabled = true, .velocity = {3.0F, 0.0F, 0.0F}, .gustiness = 0.5F, .turbulence = 0.3F};
         openWindow(std::move(project));
         awaitNewestHair();
-        const auto placed = [this] { return sim::placedDetail(*session().frame()); };
-        QTRY_VERIFY_WITH_TIMEOUT(placed() < 1.0F, kPatienceMs);
+        const auto detail = [this] { return sim::frameDetail(*session().frame()); };
+        QTRY_VERIFY_WITH_TIMEOUT(detail() < 1.0F, kPatienceMs);
         {
             const std::shared_ptr<const void> whole = session().wholeHair();
             QVERIFY(session().hair() == Session::Hair::Underway);
             QTRY_VERIFY_WITH_TIMEOUT(session().hair() == Session::Hair::Current, kPatienceMs);
-            QCOMPARE(placed(), 1.0F);
+            QCOMPARE(detail(), 1.0F);
         }
-        QTRY_VERIFY_WITH_TIMEOUT(placed() < 1.0F, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(detail() < 1.0F, kPatienceMs);
     }
 
     /// From a bald head: the menu, and what grows.
@@ -69,8 +69,8 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 500, kPatienceMs);
         QCOMPARE(stack().count(), 1);
         const auto density = map(model::MapKind::Density);
-        const auto at = [&](glm::vec3 placeHd) {
-            return density->sampleScalar(session().document().project().head->skin->nearest(placeHd).uv);
+        const auto at = [&](glm::vec3 positionHd) {
+            return density->sampleScalar(session().document().project().head->skin->nearest(positionHd).uv);
         };
         QVERIFY(at({0.005F, -0.095F, 0.1F}) > 0.9F && at({0.045F, -0.07F, 0.07F}) > 0.7F); // Chin and cheek.
         QVERIFY(at({0.01F, 0.06F, 0.1F}) == 0.0F && at({0.03F, 0.10F, 0.0F}) == 0.0F);
@@ -95,7 +95,7 @@ private Q_SLOTS:
             return turned / static_cast<double>(before.size());
         };
         QTRY_VERIFY_WITH_TIMEOUT(blown() > 0.05, kPatienceMs);
-        // So that what is held is what is compared with: no frame is on its way any more.
+        // So that what is held is what is compared with: no frame is still to come.
         session().setPaused(true);
         QTRY_VERIFY_WITH_TIMEOUT(session().resting(), kPatienceMs);
         const model::LyingField field(model::lyingHairs(session().frame()->groups.front(), session().frame()->pose));

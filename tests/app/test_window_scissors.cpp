@@ -91,7 +91,7 @@ private Q_SLOTS:
         const sim::GroupFrame& was = before->groups.front();
         std::vector<double> endsM;
         for (std::uint32_t slot = 0; slot < was.groom->roots->count(); ++slot) {
-            if (!was.places(slot) || !hair().groom->isDrawn(slot))
+            if (!was.isPositioned(slot) || !hair().groom->isDrawn(slot))
                 continue;
             if (!test::isSame(was.groom->style(slot), hair().groom->style(slot)))
                 endsM.push_back(static_cast<double>(test::drawnPoints(hair(), slot).back().y));

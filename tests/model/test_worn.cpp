@@ -254,7 +254,7 @@ private Q_SLOTS:
         made->skin = std::make_shared<const sim::Skin>(smaller.mesh);
         made->landmarks = *head->landmarks;
         for (glm::vec3& position : made->landmarks->positionsHd)
-            position = smaller.place(position);
+            position = smaller.moved(position);
         const std::shared_ptr<const Head> other = made;
         std::vector<Id> ids;
         for (const sim::HeadLandmark landmark : {sim::HeadLandmark::Crown, sim::HeadLandmark::EarLeft}) {

@@ -295,7 +295,7 @@ private Q_SLOTS:
         QVERIFY(layer().visible && !layer().locked);
     }
 
-    void a_layer_is_renamed_in_place()
+    void a_layer_is_renamed_in_its_row()
     {
         PanelFixture f;
         LayersPanel panel(f.state);

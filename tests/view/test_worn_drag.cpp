@@ -53,8 +53,8 @@ private Q_SLOTS:
         const QPoint from = f.end(kRight);
         f.drag(from, from + QPoint(40, -25));
         QCOMPARE(f.editor.state.options().chosenWorn(), before.front().id);
-        const QPointF way = f.shown(f.first().centreHd) - centre;
-        QVERIFY(std::abs(way.x() - 40.0) < 1.0 && std::abs(way.y() + 25.0) < 1.0);
+        const QPointF moved = f.shown(f.first().centreHd) - centre;
+        QVERIFY(std::abs(moved.x() - 40.0) < 1.0 && std::abs(moved.y() + 25.0) < 1.0);
         QVERIFY(f.first().semiAxesM == before.front().shape.semiAxesM);
         QVERIFY(f.all()[1] == before[1]);
         QCOMPARE(f.stack().count(), 1);
@@ -134,8 +134,8 @@ private Q_SLOTS:
         WornFixture f;
         f.area.removeWorn(); // None is chosen.
         QCOMPARE(f.stack().count(), 0);
-        const QPoint place = kMiddle + QPoint(30, 10);
-        QTest::mouseMove(&f.area, place);
+        const QPoint position = kMiddle + QPoint(30, 10);
+        QTest::mouseMove(&f.area, position);
         f.area.addWorn(model::WornKind::Ellipsoid);
         QCOMPARE(f.all().size(), std::size_t{3});
         QCOMPARE(f.editor.state.options().chosenWorn(), f.all().back().id);
@@ -211,8 +211,8 @@ private Q_SLOTS:
     {
         WornFixture f;
         f.editor.state.options().setCollidersShown(false);
-        const QPoint place = kMiddle + QPoint(30, 10);
-        QTest::mouseMove(&f.area, place);
+        const QPoint position = kMiddle + QPoint(30, 10);
+        QTest::mouseMove(&f.area, position);
         f.area.addWorn(model::WornKind::Ball);
         const model::Worn ball = f.all().back();
         QCOMPARE(ball.kind, model::WornKind::Ball);

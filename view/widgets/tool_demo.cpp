@@ -15,7 +15,7 @@ namespace hairpaint::view {
 namespace {
 
 constexpr int kPlayMs = 2600;
-constexpr double kStrokeShare = 0.75; ///< Of the time; the rest shows what has come of it.
+constexpr double kStrokeFraction = 0.75; ///< Of the time; the rest shows what has come of it.
 constexpr int kColumns = 15;
 constexpr int kRows = 3;
 constexpr double kHairPx = 17.0;
@@ -148,7 +148,7 @@ void ToolDemo::paintEvent(QPaintEvent* /*event*/)
     painter.setClipRect(rect());
 
     const QRectF area = QRectF(rect()).adjusted(14.0, kHairPx + 6.0, -14.0, -8.0);
-    const Moment moment{area, std::clamp(m_play.currentValue().toDouble() / kStrokeShare, 0.0, 1.0)};
+    const Moment moment{area, std::clamp(m_play.currentValue().toDouble() / kStrokeFraction, 0.0, 1.0)};
     painter.setPen(QPen(theme.text, 1.6, Qt::SolidLine, Qt::RoundCap));
     for (int row = 0; row < kRows; ++row)
         for (int column = 0; column < kColumns; ++column) {
