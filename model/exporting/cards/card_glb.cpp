@@ -319,7 +319,7 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
         for (const Worn& worn : settings.worn) {
             if (!wornSpec(worn.kind).drawn())
                 continue;
-            const PlacedHead placed = turnedWorn(worn, body.turn);
+            const PlacedHead placed = turnedWorn(curves, worn, body.turn);
             glb.addWorn(placed, worn, std::vector<BoneWeights>(placed.vertices.size(), headBone), skin);
         }
         glb.addAvatar(curves, cards, settings, body, frame);

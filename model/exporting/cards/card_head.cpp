@@ -46,9 +46,9 @@ void hold(PlacedHead& head, const CurveSet& set)
 }
 
 /// On its head.
-PlacedHead bodyOf(const Worn& worn)
+PlacedHead bodyOf(const Worn& worn, const sim::Skin* skin)
 {
-    PlacedHead body = plainHead(*wornSpec(worn.kind).mesh());
+    PlacedHead body = plainHead(*wornMesh(worn, skin));
     const sim::Ellipsoid& shape = worn.shape;
     const glm::quat rotation = glm::normalize(shape.rotation);
     for (HeadVertexOut& vertex : body.vertices) {
@@ -71,14 +71,14 @@ PlacedHead placedHead(const CurveSet& set)
 
 PlacedHead placedWorn(const CurveSet& set, const Worn& worn)
 {
-    PlacedHead placed = bodyOf(worn);
+    PlacedHead placed = bodyOf(worn, set.skin());
     hold(placed, set);
     return placed;
 }
 
-PlacedHead turnedWorn(const Worn& worn, const glm::quat& turn)
+PlacedHead turnedWorn(const CurveSet& set, const Worn& worn, const glm::quat& turn)
 {
-    PlacedHead turned = bodyOf(worn);
+    PlacedHead turned = bodyOf(worn, set.skin());
     for (HeadVertexOut& vertex : turned.vertices) {
         vertex.position = turn * vertex.position;
         vertex.normal = turn * vertex.normal;

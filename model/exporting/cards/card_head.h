@@ -31,6 +31,6 @@ struct PlacedHead
 /// A thing of a kind that is drawn, Wo, as it goes with the head.
 [[nodiscard]] PlacedHead placedWorn(const CurveSet& set, const Worn& worn);
 /// The same on a head at rest that is turned about its origin.
-[[nodiscard]] PlacedHead turnedWorn(const Worn& worn, const glm::quat& turn);
+[[nodiscard]] PlacedHead turnedWorn(const CurveSet& set, const Worn& worn, const glm::quat& turn);
 
 } // namespace hairpaint::model
