@@ -2890,6 +2890,46 @@
         <source>Cut hair</source>
         <translation>Cortar pelo</translation>
     </message>
+    <message>
+        <source>Fingers</source>
+        <translation>Dedos</translation>
+    </message>
+    <message>
+        <source>Puffs, pinches, spreads or smooths hair where it is drawn over.</source>
+        <translation>Ahuecan, pellizcan, abren o alisan el pelo por donde pasan.</translation>
+    </message>
+    <message>
+        <source>Drag over hair to puff it up; it gets the gel that keeps it</source>
+        <translation>Arrastra sobre el pelo para ahuecarlo; recibe el gel que lo mantiene</translation>
+    </message>
+    <message>
+        <source>Drag along hair to pinch it together in a lock; a click gathers it to a point</source>
+        <translation>Arrastra a lo largo del pelo para reunirlo en un mechón; un clic lo reúne en un punto</translation>
+    </message>
+    <message>
+        <source>Drag along hair to spread it, away from the middle of the stroke</source>
+        <translation>Arrastra a lo largo del pelo para abrirlo, alejándolo del centro del trazo</translation>
+    </message>
+    <message>
+        <source>Drag over hair to make its direction, length, curl and frizz more even</source>
+        <translation>Arrastra sobre el pelo para igualar su dirección, largo, rizo y encrespado</translation>
+    </message>
+    <message>
+        <source>Pinch hair</source>
+        <translation>Pellizcar el pelo</translation>
+    </message>
+    <message>
+        <source>Spread hair</source>
+        <translation>Abrir el pelo</translation>
+    </message>
+    <message>
+        <source>Smooth hair</source>
+        <translation>Alisar el pelo</translation>
+    </message>
+    <message>
+        <source>Puff hair</source>
+        <translation>Ahuecar el pelo</translation>
+    </message>
 </context>
 <context>
     <name>ToolOptions</name>
@@ -3060,6 +3100,30 @@
     <message>
         <source>On the hair that is seen, whatever lies below (T)</source>
         <translation>Sobre el pelo que se ve, haya lo que haya debajo (T)</translation>
+    </message>
+    <message>
+        <source>Puff: lift hair off the skin</source>
+        <translation>Ahuecar: levanta el pelo de la piel</translation>
+    </message>
+    <message>
+        <source>Pinch: gather hair in a lock along the stroke</source>
+        <translation>Pellizcar: reúne el pelo en un mechón a lo largo del trazo</translation>
+    </message>
+    <message>
+        <source>Spread: part hairs and locks from each other</source>
+        <translation>Abrir: separa pelos y mechones unos de otros</translation>
+    </message>
+    <message>
+        <source>Smooth: even out how hair lies, is long and curls</source>
+        <translation>Alisar: iguala la caída, el largo y el rizo del pelo</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Fuerza</translation>
+    </message>
+    <message>
+        <source>How much a stroke does; pen pressure makes it less, another stroke more</source>
+        <translation>Cuánto hace un trazo; la presión del lápiz lo reduce, otro trazo lo aumenta</translation>
     </message>
 </context>
 <context>

@@ -205,6 +205,10 @@ void MainWindow::connectAreas()
             m_settings.setViewTurned();
             hint->deleteLater();
         });
+        // A tool that draws over the picture begins beside the head, too.
+        view::ToolBox& tools = m_session.editor().tools();
+        const auto follow = [hint, &tools] { hint->setVisible(tools.active().pictureHandler() == nullptr); };
+        connect(&tools, &view::ToolBox::activeChanged, hint, follow);
     }
     const auto showMessage = [&status](const QString& text) { status.showMessage(text); };
     connect(&head, &view::HeadView::statusText, &status, showMessage);

@@ -6,6 +6,7 @@
 #include "tests/support/test_program.h"
 #include "view/dialogs/cut_dialog.h"
 #include "view/head_area/head_overlay.h"
+#include "view/widgets/bar_slider.h"
 
 #include <QMenu>
 #include <QPointer>
@@ -170,6 +171,60 @@ private Q_SLOTS:
         QCOMPARE(stack().undoText(), QStringLiteral("Cut hair to a level"));
         QVERIFY(*map(model::MapKind::Length) == *shown);
         QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatienceMs);
+        session().document().undo();
+        QVERIFY(*map(model::MapKind::Length) == *length);
+    }
+
+    void hairIsTrimmedLayeredAndFadedInOneStep_data()
+    {
+        QTest::addColumn<QByteArray>("style");
+        QTest::addColumn<QByteArray>("command");
+        QTest::addColumn<QString>("step");
+        QTest::newRow("trim") << QByteArray("bob") << QByteArray("hair.trim") << QStringLiteral("Trim hair");
+        QTest::newRow("layers") << QByteArray("long-straight") << QByteArray("hair.layers")
+                                << QStringLiteral("Cut layers");
+        QTest::newRow("fade") << QByteArray("side-part") << QByteArray("hair.fade") << QStringLiteral("Cut a fade");
+    }
+    void hairIsTrimmedLayeredAndFadedInOneStep()
+    {
+        QFETCH(QByteArray, style);
+        QFETCH(QByteArray, command);
+        QFETCH(QString, step);
+        openWithStyle(style.constData());
+        const auto length = map(model::MapKind::Length);
+        const auto mean = [this] {
+            double sum = 0.0;
+            const auto now = map(model::MapKind::Length);
+            for (int y = 0; y < now->size(); y += 8)
+                for (int x = 0; x < now->size(); x += 8)
+                    sum += now->texel(x, y)[0];
+            return sum;
+        };
+        const double before = mean();
+        const auto dialog = [this] { return m_window->findChild<view::CutDialog*>(); };
+        const auto press = [&](const QString& text) {
+            for (QPushButton* button : dialog()->findChildren<QPushButton*>())
+                if (button->text() == text)
+                    return QTest::mouseClick(button, Qt::LeftButton);
+            QFAIL(qPrintable(text));
+        };
+        for (const bool keeps : {false, true}) {
+            action(command.constData()).trigger();
+            QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, kPatienceMs);
+            // As it opens it cuts; the first slider, by key, cuts otherwise.
+            const double opened = mean();
+            QVERIFY(opened < before);
+            auto* slider = dialog()->findChild<view::BarSlider*>();
+            slider->setFocus();
+            QTest::keyClick(slider, Qt::Key_Left);
+            const auto shown = map(model::MapKind::Length);
+            QVERIFY(mean() != opened);
+            press(keeps ? QStringLiteral("Cut") : QStringLiteral("Cancel"));
+            QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatienceMs);
+            QVERIFY(*map(model::MapKind::Length) == (keeps ? *shown : *length));
+            QCOMPARE(stack().count(), keeps ? 1 : 0);
+        }
+        QCOMPARE(stack().undoText(), step);
         session().document().undo();
         QVERIFY(*map(model::MapKind::Length) == *length);
     }

@@ -3,6 +3,7 @@
 #include "tests/model/side_view.h"
 #include "tests/support/test_program.h"
 #include "view/head_area/head_overlay.h"
+#include "view/head_area/turn_hint.h"
 
 #include <algorithm>
 
@@ -107,6 +108,17 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(overlay->falling().empty(), kPatienceMs);
         key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(*lengths() == *lengthsBefore);
+    }
+
+    void theSignThatTellsHowToTurnTheHeadGoesWhileScissorsAreInHand()
+    {
+        openWithStyle("bob");
+        const auto* sign = head().findChild<view::TurnHint*>();
+        QVERIFY(sign != nullptr && sign->isVisible());
+        key(Qt::Key_K);
+        QVERIFY(!sign->isVisible());
+        key(Qt::Key_B);
+        QVERIFY(sign->isVisible());
     }
 
     void escapeLeavesNoTraceAndTheFlatMapSaysWhereToCut()

@@ -86,6 +86,11 @@ DemoHair hairOf(model::ToolId tool, const Moment& moment, int column, int row, Q
         const QPointF tip = root + QPointF(0.0, -kHairPx) + (pointer - taken) * held;
         return {.angle = std::atan2(tip.y() - root.y(), tip.x() - root.x())};
     }
+    case model::ToolId::Fingers: {
+        constexpr double kLying = -0.3;
+        constexpr double kPuffed = -1.1;
+        return {.angle = mixed(kLying, kPuffed, (pointer.x() - root.x()) / kRingPx)};
+    }
     case model::ToolId::Scissors: {
         constexpr double kCut = 0.5;
         return {.lengthPx = pointer.x() > root.x() ? kHairPx * kCut : kHairPx};
@@ -114,8 +119,8 @@ ToolDemo::ToolDemo(QWidget* parent) : QWidget(parent)
 bool ToolDemo::shows(model::ToolId tool)
 {
     using model::ToolId;
-    return tool == ToolId::Comb || tool == ToolId::Part || tool == ToolId::Grab || tool == ToolId::Scissors ||
-           tool == ToolId::Gradient;
+    return tool == ToolId::Comb || tool == ToolId::Part || tool == ToolId::Grab || tool == ToolId::Fingers ||
+           tool == ToolId::Scissors || tool == ToolId::Gradient;
 }
 
 void ToolDemo::setTool(model::ToolId tool)
