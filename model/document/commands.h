@@ -6,6 +6,7 @@
 #include "model/styles/style_use.h"
 #include "model/values/progress.h"
 
+#include <QRectF>
 #include <QUndoCommand>
 
 #include <memory>
@@ -81,7 +82,12 @@ struct LayerProperties
 [[nodiscard]] CommandPtr setSkinCommand(Document& document, SkinTone skin);
 /// With a new id, behind those of its kind. Null where the project holds as many as it may.
 [[nodiscard]] CommandPtr addWornCommand(Document& document, Worn worn);
-/// Null where there is none.
+/// Gathers the group's hair that nothing gathers yet, inside what is selected (uv; empty: everywhere), into a thing of
+/// that kind at the point; where hair there is gathered by one of the kind already, that goes there. Null where no hair
+/// is left to gather, or no layer of the accessory map can be painted.
+[[nodiscard]] CommandPtr gatherCommand(Document& document, Id group, const WornSpec& spec,
+                                       const sim::SurfacePoint& point, const std::vector<QRectF>& selected);
+/// With the patch that it is painted as. Null where there is none.
 [[nodiscard]] CommandPtr removeWornCommand(Document& document, Id id);
 /// Undo names of wind, light and background, for edits that are previewed before they are committed.
 [[nodiscard]] QString windStepText();

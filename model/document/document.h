@@ -5,6 +5,7 @@
 #include "model/document/journal_state.h"
 #include "model/maps/map_resolver.h"
 #include "model/maps/resolved_maps.h"
+#include "model/patches/project_patches.h"
 #include "model/project/change.h"
 #include "model/project/project.h"
 #include "sim/groom/groom_input.h"
@@ -81,6 +82,8 @@ public:
     /// Whether the content may become `after`, which must not be larger than can be saved
     /// (model/project/content_budget.h). Where it may not, refused() says why. For making commands.
     [[nodiscard]] bool mayBecome(const Project& after);
+    /// The patches of the accessory maps in the committed content, and what is worn as them.
+    [[nodiscard]] const ProjectPatches& patches() const;
     /// Whether an edit runs that shows something.
     [[nodiscard]] bool previewing() const;
     /// The content without any preview; what files are written from.

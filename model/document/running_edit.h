@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/document/edit_command.h"
+#include "model/patches/project_patches.h"
 
 #include <map>
 #include <optional>
@@ -16,13 +17,20 @@ struct RunningEdit
     Project shown;
     std::vector<ShownPart> parts;
     std::map<LayerAddress, std::map<int, sim::RasterTilePtr>> tiles;
+    std::optional<ProjectPatches> patches = {}; ///< Of what is shown, once it touched an accessory map.
+    std::vector<Worn> plainWorn = {};           ///< Then: what is worn before it follows its patches,
+    Id plainNextId = 1;                         ///< and the next id;
+    std::vector<Worn> toldWorn = {};            ///< what was last shown as worn.
 
     [[nodiscard]] bool showsSomething() const { return !parts.empty() || !tiles.empty(); }
     /// Replaces the previewed part for the same part of the content by `part`.
     void showPart(const Project& committed, ShownPart part);
     /// The change to emit; none if the layer does not exist.
     std::optional<Change> showTiles(const LayerAddress& address, const LayerTiles& tiles);
-    /// All changes emitted for this edit.
+    /// What is worn follows the patches that are shown; whether it differs from what was shown last. `before`: of the
+    /// committed content.
+    [[nodiscard]] bool followPatches(const ProjectPatches& before);
+    /// Everything that was told of it.
     [[nodiscard]] std::vector<Change> changes() const;
     /// A command that makes the previewed bytes the committed content. Null if nothing differs.
     [[nodiscard]] CommandPtr command(Document& document) const;

@@ -3,6 +3,7 @@
 #include "tests/support/test_program.h"
 #include "tests/view/head_fixture.h"
 #include "view/head_area/head_overlay.h"
+#include "view/head_area/worn_outline.h"
 
 #include <QUndoStack>
 
@@ -205,6 +206,40 @@ private Q_SLOTS:
         QVERIFY(f.editor.document.project().wornThing(ball) == nullptr);
         QVERIFY(overlay->wornOutlines().empty());
         QCOMPARE(f.stack().text(1), QStringLiteral("Remove ball"));
+    }
+
+    /// A bow stands on the skin: it goes over it, turns with it and by its handle.
+    void whatStandsOnTheSkinIsMovedOverItAndTurned()
+    {
+        WornFixture f;
+        f.editor.state.options().setCollidersShown(false);
+        QTest::mouseMove(&f.area, kMiddle);
+        f.area.addWorn(model::WornKind::Bow);
+        const model::Worn before = f.all().back();
+        f.stack().clear();
+        const auto zOf = [](const model::Worn& worn) { return worn.shape.rotation * glm::vec3(0.0F, 0.0F, 1.0F); };
+        QVERIFY(zOf(before).z > 0.95F);
+        // By a loop: between loops and tails the skin is seen, and painted.
+        const glm::vec3 loop = before.shape.centreHd + before.shape.rotation * glm::vec3(0.02F, 0.004F, 0.012F);
+        const QPoint at = f.shown(loop).toPoint();
+        f.drag(at, at + QPoint(70, 0));
+        const model::Worn moved = f.all().back();
+        QCOMPARE(f.stack().count(), 1);
+        QCOMPARE(f.stack().text(0), QStringLiteral("Move ribbon bow"));
+        QVERIFY(std::abs(glm::length(moved.shape.centreHd) - glm::length(before.shape.centreHd)) < 1e-3F);
+        QVERIFY(moved.shape.centreHd.x > 0.04F && zOf(moved).x > 0.4F);
+        QVERIFY(moved.shape.semiAxesM == before.shape.semiAxesM && moved.anchor != before.anchor);
+        const QPoint handle = f.shown(view::turnEndHd(moved)).toPoint();
+        f.drag(handle, handle - QPoint(0, 40));
+        const model::Worn turned = f.all().back();
+        QCOMPARE(f.stack().count(), 2);
+        QVERIFY(turned.shape.centreHd == moved.shape.centreHd && zOf(turned).y > zOf(moved).y + 0.3F);
+        const QPoint again = f.shown(view::turnEndHd(turned)).toPoint();
+        f.drag(again, again + QPoint(30, 0), Qt::LeftButton, Qt::ShiftModifier);
+        QVERIFY(glm::distance(zOf(f.all().back()), zOf(turned)) < 1e-3F && f.all().back() != turned);
+        for (int i = 0; i < 3; ++i)
+            f.editor.document.undo();
+        QVERIFY(f.all().back() == before);
     }
 
     void aBallIsPutOnTheSkinAndDrawn()

@@ -319,7 +319,7 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
         for (const Worn& worn : settings.worn) {
             if (!wornSpec(worn.kind).drawn())
                 continue;
-            const PosedMesh thing = turnedWorn(worn, body.turn);
+            const PosedMesh thing = turnedWorn(curves, worn, body.turn);
             glb.addWorn(thing, worn, std::vector<BoneWeights>(thing.vertices.size(), headBone), skin);
         }
         glb.addAvatar(curves, cards, settings, body, frame);

@@ -46,9 +46,9 @@ void hold(PosedMesh& head, const CurveSet& set)
 }
 
 /// On its head.
-PosedMesh bodyOf(const Worn& worn)
+PosedMesh bodyOf(const Worn& worn, const sim::Skin* skin)
 {
-    PosedMesh body = plainHead(*wornSpec(worn.kind).mesh());
+    PosedMesh body = plainHead(*wornMesh(worn, skin));
     const sim::Ellipsoid& shape = worn.shape;
     const glm::quat rotation = glm::normalize(shape.rotation);
     for (HeadVertexOut& vertex : body.vertices) {
@@ -71,14 +71,14 @@ PosedMesh posedHead(const CurveSet& set)
 
 PosedMesh posedWorn(const CurveSet& set, const Worn& worn)
 {
-    PosedMesh body = bodyOf(worn);
+    PosedMesh body = bodyOf(worn, set.skin());
     hold(body, set);
     return body;
 }
 
-PosedMesh turnedWorn(const Worn& worn, const glm::quat& turn)
+PosedMesh turnedWorn(const CurveSet& set, const Worn& worn, const glm::quat& turn)
 {
-    PosedMesh turned = bodyOf(worn);
+    PosedMesh turned = bodyOf(worn, set.skin());
     for (HeadVertexOut& vertex : turned.vertices) {
         vertex.position = turn * vertex.position;
         vertex.normal = turn * vertex.normal;

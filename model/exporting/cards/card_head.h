@@ -31,6 +31,6 @@ struct PosedMesh
 /// A thing of a kind that is drawn, Wo, as it goes with the head.
 [[nodiscard]] PosedMesh posedWorn(const CurveSet& set, const Worn& worn);
 /// The same on a head at rest that is turned about its origin.
-[[nodiscard]] PosedMesh turnedWorn(const Worn& worn, const glm::quat& turn);
+[[nodiscard]] PosedMesh turnedWorn(const CurveSet& set, const Worn& worn, const glm::quat& turn);
 
 } // namespace hairpaint::model
