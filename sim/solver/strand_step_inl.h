@@ -87,7 +87,7 @@ HWY_INLINE Lanes3 placeNode(const GroupGains& gains, const ColliderSet& collider
     const Lanes3 start = loaded3(rows.current + offset);
     const Lanes3 lie = loaded3(rows.lanes + kLieX * kLanes);
     const Obstacles obstacles{colliders, step.neck, rows.lanes, clearanceOf(rows.lanes, length, node),
-                              node == 1, parent};
+                              node == 1 && !gains.beginsInAir, parent};
     const Lanes3 headed = loaded3(rows.p + offset);
     Lanes3 p = atLength(parent, headed, length, lie);
     if (rows.recoils && node > 1)
