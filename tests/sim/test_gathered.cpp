@@ -235,6 +235,103 @@ private Q_SLOTS:
             ++count;
             const float length = lengthOfLine(drawn(*frame.groom, slot, frameNodes(frame, slot), 7 * 24));
             wrong += std::abs(length - 0.4F) > most * 0.4F ? 1 : 0;
+        });
+        QVERIFY(count > 2000);
+        QVERIFY2(wrong * 100 < count, qPrintable(QStringLiteral("%1 of %2").arg(wrong).arg(count)));
+    }
+
+    void shortHairEndsBeforeTheRing()
+    {
+        const auto groom = groomed(tiedBall(6000, 0.06F));
+        const Tie tie = tiedBall().groups.front().ties.front();
+        std::size_t ended = 0;
+        forEachGathered(*groom, [&](std::uint32_t slot, const StrandStyle& style, bool isTailed) {
+            const glm::vec3 root = groom->roots->positionHd[slot];
+            if (tautOverBall(root, tie.pointHd) < 0.075F)
+                return;
+            ++ended;
+            QVERIFY(!isTailed);
+            QVERIFY(std::abs(style.lengthM - 0.06F) < 1e-5F);
+            const float length = lengthOfLine(drawn(*groom, slot, restNodes(*groom, slot)));
+            QVERIFY2(std::abs(length - 0.06F) < 0.0015F, qPrintable(QString::number(length)));
+            QVERIFY(glm::length(restNode(*groom, slot, groom->nodes - 1) - tie.pointHd) <
+                    glm::length(root - tie.pointHd));
+        });
+        QVERIFY(ended > 500);
+    }
+
+    void tailsFallAndComeToRest()
+    {
+        Simulation simulation;
+        simulation.setInput(tiedBall());
+        simulation.settle(20.0);
+        QVERIFY(simulation.asleep());
+        const GroupFrame frame = frameOf(simulation);
+        const Tie tie = tiedBall().groups.front().ties.front();
+        std::size_t count = 0;
+        double below = 0.0;
+        forEachGathered(*frame.groom, [&](std::uint32_t slot, const StrandStyle&, bool isTailed) {
+            const std::vector<glm::vec3> nodes = frameNodes(frame, slot);
+            for (int node = 0; node <= ringNode(frame.groom->nodes); ++node)
+                QVERIFY(nodes[static_cast<std::size_t>(node)] == restNode(*frame.groom, slot, node));
+            if (!isTailed)
+                return;
+            ++count;
+            below += static_cast<double>(tie.pointHd.y - nodes.back().y);
+        });
+        below /= static_cast<double>(count);
+        QVERIFY2(below > 0.1, qPrintable(QString::number(below)));
+    }
+
+    void noHairIsInTheSkin_data()
+    {
+        QTest::addColumn<float>("windMs");
+        QTest::newRow("still air") << 0.0F;
+        QTest::newRow("storm") << 15.0F;
+    }
+
+    void noHairIsInTheSkin()
+    {
+        QFETCH(float, windMs);
+        Simulation simulation;
+        simulation.setInput(tiedBall());
+        if (windMs > 0.0F)
+            simulation.setWind({.velocity = {0.0F, 0.0F, windMs}});
+        simulation.settle(2.0);
+        const GroupFrame frame = frameOf(simulation);
+        float deepest = 0.0F;
+        std::size_t count = 0;
+        forEachGathered(*frame.groom, [&](std::uint32_t slot, const StrandStyle&, bool) {
+            ++count;
+            for (const glm::vec3& point : drawn(*frame.groom, slot, frameNodes(frame, slot)))
+                deepest = std::min(deepest, glm::length(point) - kBallM);
+        });
+        QVERIFY(count > 2000);
+        QVERIFY2(deepest > -0.003F, qPrintable(QString::number(deepest)));
+    }
+
+    void tautHairGoesWithTheHeadAndTheTailSwings()
+    {
+        Simulation simulation;
+        simulation.setInput(tiedBall());
+        simulation.settle(3.0);
+        const GroupFrame before = frameOf(simulation);
+        for (int step = 1; step <= 12; ++step) {
+            const float angle = 0.05F * static_cast<float>(step);
+            simulation.setPose({.rotation = glm::angleAxis(angle, glm::vec3(0.0F, 1.0F, 0.0F))});
+            simulation.advance(1.0 / 60.0);
+        }
+        StrandFrame whole;
+        simulation.writeFrame(whole);
+        const GroupFrame& after = whole.groups.front();
+        float most = 0.0F;
+        forEachGathered(*after.groom, [&](std::uint32_t slot, const StrandStyle&, bool isTailed) {
+            const std::vector<glm::vec3> nodes = frameNodes(after, slot);
+            for (int node = 0; node <= ringNode(after.groom->nodes); ++node) {
+                const glm::vec3 expected =
+                    whole.pose.rotation * restNode(*after.groom, slot, node) + whole.pose.positionWo;
+                QVERIFY(glm::length(nodes[static_cast<std::size_t>(node)] - expected) < 1e-5F);
+            }
             if (isTailed)
                 most =
                     std::max(most, glm::length(nodes.back() - whole.pose.rotation * frameNodes(before, slot).back()));
