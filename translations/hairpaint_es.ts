@@ -2210,6 +2210,10 @@
         <source>O</source>
         <translation>U</translation>
     </message>
+    <message>
+        <source>A</source>
+        <translation>I</translation>
+    </message>
 </context>
 <context>
     <name>MapScale</name>
@@ -2303,6 +2307,34 @@
     <message>
         <source>Gloss</source>
         <translation>Lustre</translation>
+    </message>
+    <message>
+        <source>Ponytail</source>
+        <translation>Coleta</translation>
+    </message>
+    <message>
+        <source>Bun</source>
+        <translation>Moño</translation>
+    </message>
+    <message>
+        <source>Headband</source>
+        <translation>Diadema</translation>
+    </message>
+    <message>
+        <source>Ribbon bow</source>
+        <translation>Lazo</translation>
+    </message>
+    <message>
+        <source>Hairpin</source>
+        <translation>Horquilla</translation>
+    </message>
+    <message>
+        <source>Bead</source>
+        <translation>Cuenta</translation>
+    </message>
+    <message>
+        <source>Accessories</source>
+        <translation>Accesorios</translation>
     </message>
 </context>
 <context>
@@ -2858,6 +2890,46 @@
         <source>Cut hair</source>
         <translation>Cortar pelo</translation>
     </message>
+    <message>
+        <source>Fingers</source>
+        <translation>Dedos</translation>
+    </message>
+    <message>
+        <source>Puffs, pinches, spreads or smooths hair where it is drawn over.</source>
+        <translation>Ahuecan, pellizcan, abren o alisan el pelo por donde pasan.</translation>
+    </message>
+    <message>
+        <source>Drag over hair to puff it up; it gets the gel that keeps it</source>
+        <translation>Arrastra sobre el pelo para ahuecarlo; recibe el gel que lo mantiene</translation>
+    </message>
+    <message>
+        <source>Drag along hair to pinch it together in a lock; a click gathers it to a point</source>
+        <translation>Arrastra a lo largo del pelo para reunirlo en un mechón; un clic lo reúne en un punto</translation>
+    </message>
+    <message>
+        <source>Drag along hair to spread it, away from the middle of the stroke</source>
+        <translation>Arrastra a lo largo del pelo para abrirlo, alejándolo del centro del trazo</translation>
+    </message>
+    <message>
+        <source>Drag over hair to make its direction, length, curl and frizz more even</source>
+        <translation>Arrastra sobre el pelo para igualar su dirección, largo, rizo y encrespado</translation>
+    </message>
+    <message>
+        <source>Pinch hair</source>
+        <translation>Pellizcar el pelo</translation>
+    </message>
+    <message>
+        <source>Spread hair</source>
+        <translation>Abrir el pelo</translation>
+    </message>
+    <message>
+        <source>Smooth hair</source>
+        <translation>Alisar el pelo</translation>
+    </message>
+    <message>
+        <source>Puff hair</source>
+        <translation>Ahuecar el pelo</translation>
+    </message>
 </context>
 <context>
     <name>ToolOptions</name>
@@ -3029,6 +3101,30 @@
         <source>On the hair that is seen, whatever lies below (T)</source>
         <translation>Sobre el pelo que se ve, haya lo que haya debajo (T)</translation>
     </message>
+    <message>
+        <source>Puff: lift hair off the skin</source>
+        <translation>Ahuecar: levanta el pelo de la piel</translation>
+    </message>
+    <message>
+        <source>Pinch: gather hair in a lock along the stroke</source>
+        <translation>Pellizcar: reúne el pelo en un mechón a lo largo del trazo</translation>
+    </message>
+    <message>
+        <source>Spread: part hairs and locks from each other</source>
+        <translation>Abrir: separa pelos y mechones unos de otros</translation>
+    </message>
+    <message>
+        <source>Smooth: even out how hair lies, is long and curls</source>
+        <translation>Alisar: iguala la caída, el largo y el rizo del pelo</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Fuerza</translation>
+    </message>
+    <message>
+        <source>How much a stroke does; pen pressure makes it less, another stroke more</source>
+        <translation>Cuánto hace un trazo; la presión del lápiz lo reduce, otro trazo lo aumenta</translation>
+    </message>
 </context>
 <context>
     <name>Worn</name>
@@ -3099,6 +3195,301 @@
     <message>
         <source>Change look of ball</source>
         <translation>Cambiar aspecto de la bola</translation>
+    </message>
+    <message>
+        <source>Elastic</source>
+        <translation>Elástico</translation>
+    </message>
+    <message>
+        <source>Ribbon</source>
+        <translation>Cinta</translation>
+    </message>
+    <message>
+        <source>Cord</source>
+        <translation>Cordón</translation>
+    </message>
+    <message>
+        <source>Metal ring</source>
+        <translation>Anillo de metal</translation>
+    </message>
+    <message>
+        <source>Ponytail</source>
+        <translation>Coleta</translation>
+    </message>
+    <message>
+        <source>Po&amp;nytail here</source>
+        <translation>&amp;Coleta aquí</translation>
+    </message>
+    <message>
+        <source>Gathers the active group&apos;s hair, inside the selection if there is one, where the pointer was last on the head; %1 at most</source>
+        <translation>Recoge el pelo del grupo activo, dentro de la selección si la hay, donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Undo the ponytail</source>
+        <translation>S&amp;oltar la coleta</translation>
+    </message>
+    <message>
+        <source>Add ponytail</source>
+        <translation>Añadir coleta</translation>
+    </message>
+    <message>
+        <source>Remove ponytail</source>
+        <translation>Quitar coleta</translation>
+    </message>
+    <message>
+        <source>Move ponytail</source>
+        <translation>Mover coleta</translation>
+    </message>
+    <message>
+        <source>Size ponytail</source>
+        <translation>Tamaño de la coleta</translation>
+    </message>
+    <message>
+        <source>Change look of ponytail</source>
+        <translation>Cambiar el aspecto de la coleta</translation>
+    </message>
+    <message>
+        <source>Tie radius</source>
+        <translation>Radio del coletero</translation>
+    </message>
+    <message>
+        <source>Gather hair into a ponytail</source>
+        <translation>Recoger el pelo en una coleta</translation>
+    </message>
+    <message>
+        <source>Bun</source>
+        <translation>Moño</translation>
+    </message>
+    <message>
+        <source>Bu&amp;n here</source>
+        <translation>&amp;Moño aquí</translation>
+    </message>
+    <message>
+        <source>Winds the active group&apos;s hair up, inside the selection if there is one, where the pointer was last on the head; %1 at most</source>
+        <translation>Enrolla el pelo del grupo activo, dentro de la selección si la hay, donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Undo the bun</source>
+        <translation>S&amp;oltar el moño</translation>
+    </message>
+    <message>
+        <source>Add bun</source>
+        <translation>Añadir moño</translation>
+    </message>
+    <message>
+        <source>Remove bun</source>
+        <translation>Quitar moño</translation>
+    </message>
+    <message>
+        <source>Move bun</source>
+        <translation>Mover moño</translation>
+    </message>
+    <message>
+        <source>Size bun</source>
+        <translation>Tamaño del moño</translation>
+    </message>
+    <message>
+        <source>Change look of bun</source>
+        <translation>Cambiar el aspecto del moño</translation>
+    </message>
+    <message>
+        <source>Wind hair into a bun</source>
+        <translation>Enrollar el pelo en un moño</translation>
+    </message>
+    <message>
+        <source>Headband</source>
+        <translation>Diadema</translation>
+    </message>
+    <message>
+        <source>&amp;Headband here</source>
+        <translation>&amp;Diadema aquí</translation>
+    </message>
+    <message>
+        <source>A band over the head where the pointer was last on it; %1 at most</source>
+        <translation>Una banda sobre la cabeza donde estuvo el puntero por última vez; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Take the headband off</source>
+        <translation>Quitar la diadema</translation>
+    </message>
+    <message>
+        <source>Add headband</source>
+        <translation>Añadir diadema</translation>
+    </message>
+    <message>
+        <source>Remove headband</source>
+        <translation>Quitar diadema</translation>
+    </message>
+    <message>
+        <source>Move headband</source>
+        <translation>Mover diadema</translation>
+    </message>
+    <message>
+        <source>Size headband</source>
+        <translation>Tamaño de la diadema</translation>
+    </message>
+    <message>
+        <source>Change look of headband</source>
+        <translation>Cambiar el aspecto de la diadema</translation>
+    </message>
+    <message>
+        <source>Half width</source>
+        <translation>Media anchura</translation>
+    </message>
+    <message>
+        <source>Ribbon bow</source>
+        <translation>Lazo</translation>
+    </message>
+    <message>
+        <source>Ribbon bo&amp;w here</source>
+        <translation>&amp;Lazo aquí</translation>
+    </message>
+    <message>
+        <source>A bow where the pointer was last on the head; %1 at most</source>
+        <translation>Un lazo donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Take the bow off</source>
+        <translation>Quitar el lazo</translation>
+    </message>
+    <message>
+        <source>Add ribbon bow</source>
+        <translation>Añadir lazo</translation>
+    </message>
+    <message>
+        <source>Remove ribbon bow</source>
+        <translation>Quitar lazo</translation>
+    </message>
+    <message>
+        <source>Move ribbon bow</source>
+        <translation>Mover lazo</translation>
+    </message>
+    <message>
+        <source>Size ribbon bow</source>
+        <translation>Tamaño del lazo</translation>
+    </message>
+    <message>
+        <source>Change look of ribbon bow</source>
+        <translation>Cambiar el aspecto del lazo</translation>
+    </message>
+    <message>
+        <source>Hairpin</source>
+        <translation>Horquilla</translation>
+    </message>
+    <message>
+        <source>Hair&amp;pin here</source>
+        <translation>&amp;Horquilla aquí</translation>
+    </message>
+    <message>
+        <source>A bent wire where the pointer was last on the head; %1 at most</source>
+        <translation>Un alambre doblado donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Take the hairpin out</source>
+        <translation>Quitar la horquilla</translation>
+    </message>
+    <message>
+        <source>Add hairpin</source>
+        <translation>Añadir horquilla</translation>
+    </message>
+    <message>
+        <source>Remove hairpin</source>
+        <translation>Quitar horquilla</translation>
+    </message>
+    <message>
+        <source>Move hairpin</source>
+        <translation>Mover horquilla</translation>
+    </message>
+    <message>
+        <source>Size hairpin</source>
+        <translation>Tamaño de la horquilla</translation>
+    </message>
+    <message>
+        <source>Change look of hairpin</source>
+        <translation>Cambiar el aspecto de la horquilla</translation>
+    </message>
+    <message>
+        <source>Half length</source>
+        <translation>Media longitud</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>Flor</translation>
+    </message>
+    <message>
+        <source>Flo&amp;wer here</source>
+        <translation>&amp;Flor aquí</translation>
+    </message>
+    <message>
+        <source>A blossom where the pointer was last on the head; %1 at most</source>
+        <translation>Una flor donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Take the flower off</source>
+        <translation>Quitar la flor</translation>
+    </message>
+    <message>
+        <source>Add flower</source>
+        <translation>Añadir flor</translation>
+    </message>
+    <message>
+        <source>Remove flower</source>
+        <translation>Quitar flor</translation>
+    </message>
+    <message>
+        <source>Move flower</source>
+        <translation>Mover flor</translation>
+    </message>
+    <message>
+        <source>Size flower</source>
+        <translation>Tamaño de la flor</translation>
+    </message>
+    <message>
+        <source>Change look of flower</source>
+        <translation>Cambiar el aspecto de la flor</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>Peineta</translation>
+    </message>
+    <message>
+        <source>&amp;Comb here</source>
+        <translation>&amp;Peineta aquí</translation>
+    </message>
+    <message>
+        <source>A comb where the pointer was last on the head; %1 at most</source>
+        <translation>Una peineta donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Take the comb out</source>
+        <translation>Quitar la peineta</translation>
+    </message>
+    <message>
+        <source>Add comb</source>
+        <translation>Añadir peineta</translation>
+    </message>
+    <message>
+        <source>Remove comb</source>
+        <translation>Quitar peineta</translation>
+    </message>
+    <message>
+        <source>Move comb</source>
+        <translation>Mover peineta</translation>
+    </message>
+    <message>
+        <source>Size comb</source>
+        <translation>Tamaño de la peineta</translation>
+    </message>
+    <message>
+        <source>Change look of comb</source>
+        <translation>Cambiar el aspecto de la peineta</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::AreaMenu</name>
+    <message>
+        <source>Tie and put on</source>
+        <translation>Recoger y poner</translation>
     </message>
 </context>
 <context>
@@ -3505,6 +3896,14 @@
     <message>
         <source>Cuts hair shorter from the top down to the skin at the sides and the nape</source>
         <translation>Corta el pelo cada vez más corto desde arriba hasta la piel en los lados y la nuca</translation>
+    </message>
+    <message>
+        <source>&amp;Tie and put on</source>
+        <translation>Reco&amp;ger y poner</translation>
+    </message>
+    <message>
+        <source>Take o&amp;ff what is chosen</source>
+        <translation>Quitar lo &amp;elegido</translation>
     </message>
 </context>
 <context>
@@ -6004,6 +6403,30 @@ Se ha perdido esto:</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>Made of</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>What it is made of</source>
+        <translation>De qué está hecho</translation>
+    </message>
+    <message>
+        <source>Tightness</source>
+        <translation>Tirantez</translation>
+    </message>
+    <message>
+        <source>How taut hair lies on the head before the tie: at 0 % as loose as a coat, at 100 % on the skin</source>
+        <translation>Cuán tirante queda el pelo en la cabeza antes del coletero: al 0 % suelto como una capa, al 100 % sobre la piel</translation>
+    </message>
+    <message>
+        <source>Bun radius</source>
+        <translation>Radio del moño</translation>
+    </message>
+    <message>
+        <source>How far hair is wound about the tie</source>
+        <translation>Hasta dónde se enrolla el pelo alrededor del coletero</translation>
     </message>
 </context>
 </TS>

@@ -60,7 +60,7 @@ wire::Reason reasonOf(const std::string& message)
     return wire::Reason::UnknownFormat;
 }
 
-/// All pixels with 16 bits a channel. The library takes the way from 8 bits through floats, to the same values.
+/// All pixels with 16 bits a channel. The library converts from 8 bits through floats, to the same values.
 bool readSamples(OIIO::ImageInput& input, int channels, std::vector<std::uint16_t>& samples)
 {
     if (input.spec().format != OIIO::TypeDesc::UINT8)

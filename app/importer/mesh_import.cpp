@@ -83,7 +83,7 @@ private:
         if (!hasTriangles || !mesh.HasTextureCoords(0) || !mesh.HasPositions())
             return true;
         m_found.uvs = true;
-        const aiMatrix4x4 toWorld = m_skeleton.placed(mesh, nodeToWorld);
+        const aiMatrix4x4 toWorld = m_skeleton.meshToWorld(mesh, nodeToWorld);
         const std::vector<model::BoneWeights> bones = m_skeleton.weightsOf(mesh, node, toWorld);
         aiMatrix3x3 forNormals(toWorld);
         // A mirrored node turns triangles inside out.

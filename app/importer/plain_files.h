@@ -20,9 +20,9 @@ public:
     explicit PlainFiles(const std::string& model);
     [[nodiscard]] bool Exists(const char* file) const override;
     Assimp::IOStream* Open(const char* file, const char* mode) override;
-    /// The last one that was to be opened and is not there, without its folders; empty where there is none.
+    /// The last file that was to be opened and does not exist, without its folders; empty if there is none.
     [[nodiscard]] const std::string& missing() const { return m_missing; }
-    /// The same of the last one that lies outside.
+    /// The same for the last file outside of the folder.
     [[nodiscard]] const std::string& outside() const { return m_outside; }
 
 private:

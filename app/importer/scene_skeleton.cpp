@@ -176,7 +176,7 @@ int SceneSkeleton::jointAbove(const aiNode& node) const
     return 0;
 }
 
-aiMatrix4x4 SceneSkeleton::placed(const aiMesh& mesh, const aiMatrix4x4& toWorld) const
+aiMatrix4x4 SceneSkeleton::meshToWorld(const aiMesh& mesh, const aiMatrix4x4& toWorld) const
 {
     if (!m_boundByJoints)
         return toWorld;
@@ -193,7 +193,7 @@ aiMatrix4x4 SceneSkeleton::placed(const aiMesh& mesh, const aiMatrix4x4& toWorld
 }
 
 std::vector<model::BoneWeights> SceneSkeleton::weightsOf(const aiMesh& mesh, const aiNode& node,
-                                                         const aiMatrix4x4& placed)
+                                                         const aiMatrix4x4& meshToWorld)
 {
     if (m_joints.empty())
         return {};
@@ -205,7 +205,7 @@ std::vector<model::BoneWeights> SceneSkeleton::weightsOf(const aiMesh& mesh, con
             continue;
         std::optional<aiMatrix4x4>& bound = m_joints[static_cast<std::size_t>(joint)].bound;
         if (const std::optional<aiMatrix4x4> back = inverseOf(bone.mOffsetMatrix); back && !bound)
-            bound = placed * *back;
+            bound = meshToWorld * *back;
         for (unsigned i = 0; i < bone.mNumWeights; ++i)
             if (bone.mWeights[i].mVertexId < mesh.mNumVertices)
                 heaviest[bone.mWeights[i].mVertexId].add(joint, bone.mWeights[i].mWeight);
@@ -224,7 +224,7 @@ model::HeadSkeleton SceneSkeleton::joints(const BoneNames& bones) const
         return {};
     model::HeadSkeleton skeleton;
     std::vector<aiMatrix4x4> toWorld;
-    std::vector<model::JointPlace> places;
+    std::vector<model::JointPose> poses;
     for (const Joint& joint : m_joints) {
         aiMatrix4x4 own = joint.toWorld;
         if (joint.bound) {
@@ -235,13 +235,13 @@ model::HeadSkeleton SceneSkeleton::joints(const BoneNames& bones) const
                 own = toWorld[parent] * (*back * joint.toWorld);
         }
         toWorld.push_back(own);
-        places.push_back({.position = {own.a4, own.b4, own.c4}, .rotation = rotationOf(own)});
+        poses.push_back({.position = {own.a4, own.b4, own.c4}, .rotation = rotationOf(own)});
         const std::string_view name(joint.node->mName.C_Str(), joint.node->mName.length);
         const auto bone = bones.find(std::string(name));
         skeleton.joints.push_back(
             {.name = model::jointNameOf(bone == bones.end() ? name : bone->second), .parent = joint.parent});
     }
-    setPlaces(skeleton, places);
+    setPoses(skeleton, poses);
     return skeleton;
 }
 

@@ -24,11 +24,11 @@ public:
     SceneSkeleton(const aiScene& scene, bool boundByJoints);
 
     /// Where a mesh's vertices stand. `toWorld`: its node's.
-    [[nodiscard]] aiMatrix4x4 placed(const aiMesh& mesh, const aiMatrix4x4& toWorld) const;
-    /// By the mesh's vertex; empty where the scene has no joints. Remembers where its joints were bound; `placed`: as
-    /// above.
+    [[nodiscard]] aiMatrix4x4 meshToWorld(const aiMesh& mesh, const aiMatrix4x4& toWorld) const;
+    /// By the mesh's vertex; empty where the scene has no joints. Remembers where its joints were bound; `meshToWorld`:
+    /// as above.
     [[nodiscard]] std::vector<model::BoneWeights> weightsOf(const aiMesh& mesh, const aiNode& node,
-                                                            const aiMatrix4x4& placed);
+                                                            const aiMatrix4x4& meshToWorld);
     /// Without weights; none where there are too many joints, or where they stand can't be told. Once all weights are
     /// asked for. What `bones` tell of bears the bone's name.
     [[nodiscard]] model::HeadSkeleton joints(const BoneNames& bones) const;

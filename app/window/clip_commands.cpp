@@ -80,8 +80,8 @@ std::optional<model::Clip> ClipCommands::foreignClip() const
     const auto image = qvariant_cast<QImage>(data->imageData());
     if (group == nullptr || image.isNull())
         return std::nullopt;
-    const QRectF place = m_session.editor().tools().selection().rectangle().value_or(QRectF(0.0, 0.0, 1.0, 1.0));
-    return model::clipFromImage(image, target.map, group->map(target.map).size, place);
+    const QRectF area = m_session.editor().tools().selection().rectangle().value_or(QRectF(0.0, 0.0, 1.0, 1.0));
+    return model::clipFromImage(image, target.map, group->map(target.map).size, area);
 }
 
 void ClipCommands::clear()

@@ -26,9 +26,9 @@ struct Clip
 /// As other programs see it: in the colours of the map's scale, its coverage as alpha. Null where it is empty, or too
 /// large to be handed round.
 [[nodiscard]] QImage imageFromClip(const Clip& clip);
-/// An image of another program's as a clip for a map of `size` texels a side, fitted into `place` (uv) and read by the
+/// An image of another program's as a clip for a map of `size` texels a side, fitted into `area` (uv) and read by the
 /// map's colours.
-[[nodiscard]] Clip clipFromImage(const QImage& image, MapKind map, int size, const QRectF& place);
+[[nodiscard]] Clip clipFromImage(const QImage& image, MapKind map, int size, const QRectF& area);
 /// Makes the selected texels `texel`, coverage and all. "Fill Length". Null where the layer is hidden, locked or gone.
 [[nodiscard]] CommandPtr fillCommand(Document& document, const LayerAddress& address, const Selection& selection,
                                      const sim::Texel& texel, const QString& text);

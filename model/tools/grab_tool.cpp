@@ -28,15 +28,15 @@ constexpr ToolOption kGrabGel{
 constexpr std::array kGrabOptions{&kSizeOption, &kHardnessOption, &kOpacityOption, &kGrabGel};
 
 constexpr float kStillM = 0.001F;                  ///< A pointer that moved less has not moved.
-constexpr float kSameWay = 0.5F;                   ///< Cosine: hair that lies so goes along,
-constexpr float kOtherWay = 0.1F;                  ///< and hair that lies so stays.
+constexpr float kAlike = 0.5F;                     ///< Cosine: hair that lies so goes along,
+constexpr float kUnlike = 0.1F;                    ///< and hair that lies so stays.
 const glm::vec3 kOverTheMiddle(-1.0F, 1.0F, 1.0F); ///< Reflects Hd.
 
 /// One point of the skin whose hair is pulled along, and the direction that it gets.
 struct Held
 {
     sim::SurfacePoint root;
-    glm::vec3 across{1.0F};            ///< What reflects the pointer's way into this one's.
+    glm::vec3 across{1.0F};            ///< What reflects the pointer's movement into this one's.
     glm::vec3 lyingHd{0.0F};           ///< Unit: how it lay when it was taken hold of.
     std::vector<float> agreement = {}; ///< [kSize][kSize] of SkinFrames; below 0: not asked for yet.
 };
@@ -109,9 +109,9 @@ private:
     void pull(glm::vec3 targetHd, bool lengths, ToolContext& context);
     [[nodiscard]] StrokeBuffer masksFor(std::size_t layer, const ToolSettings& settings);
     [[nodiscard]] glm::vec3 lyingHd(glm::vec2 uv, const sim::SkinFrame& frame);
-    [[nodiscard]] float agreement(Held& held, glm::vec2 place);
+    [[nodiscard]] float agreement(Held& held, glm::vec2 position);
     void layGel(const ToolSettings& settings);
-    void layDirections(glm::vec3 wayHd, std::optional<float> flatness, const ToolSettings& settings);
+    void layDirections(glm::vec3 directionHd, std::optional<float> flatness, const ToolSettings& settings);
     void layLengths(float factor, const sim::GroupSettings& group, const ToolSettings& settings);
     void drop();
 
@@ -192,13 +192,13 @@ void GrabTool::pull(glm::vec3 targetHd, bool lengths, ToolContext& context)
     const glm::vec3 rootHd = m_held.front().root.positionHd;
     // Only so much of a hair shows where it goes at its root; the rest hangs, wherever that points.
     const float carried = std::min(1.0F, group->settings.physics.stiffnessM / std::max(m_alongM, kStillM));
-    const glm::vec3 way = targetHd - m_startHd + (m_startHd - rootHd) * (m_alongM > 0.0F ? carried : 1.0F);
+    const glm::vec3 offset = targetHd - m_startHd + (m_startHd - rootHd) * (m_alongM > 0.0F ? carried : 1.0F);
     const float distanceM = glm::distance(targetHd, rootHd);
-    if (glm::length(way) < kStillM || distanceM < kStillM)
+    if (glm::length(offset) < kStillM || distanceM < kStillM)
         return;
     const ToolSettings& settings = context.settings;
     const bool inTheAir = m_alongM > 0.0F;
-    layDirections(glm::normalize(way), inTheAir ? std::nullopt : std::optional(settings.flatness), settings);
+    layDirections(glm::normalize(offset), inTheAir ? std::nullopt : std::optional(settings.flatness), settings);
     if (active() && m_gel)
         layGel(settings);
     if (!active() || !m_length)
@@ -209,7 +209,7 @@ void GrabTool::pull(glm::vec3 targetHd, bool lengths, ToolContext& context)
         m_edit.replace({}, {}, *m_length);
 }
 
-/// Around what is held, by the brush: hair that lies the same way.
+/// Around what is held, by the brush: hair that lies in the same direction.
 StrokeBuffer GrabTool::masksFor(std::size_t layer, const ToolSettings& settings)
 {
     const int size = m_edit.size(layer);
@@ -229,8 +229,8 @@ StrokeBuffer GrabTool::masksFor(std::size_t layer, const ToolSettings& settings)
                 for (int x = rect.x0; x < rect.x1; ++x, ++texel) {
                     if (from[texel] == 0)
                         continue;
-                    const glm::vec2 place = (glm::vec2(x, y) + 0.5F) / static_cast<float>(size);
-                    const float along = agreement(held, place) * static_cast<float>(from[texel]);
+                    const glm::vec2 position = (glm::vec2(x, y) + 0.5F) / static_cast<float>(size);
+                    const float along = agreement(held, position) * static_cast<float>(from[texel]);
                     to[texel] = std::max(to[texel], static_cast<std::uint16_t>(along));
                 }
         }
@@ -247,10 +247,10 @@ glm::vec3 GrabTool::lyingHd(glm::vec2 uv, const sim::SkinFrame& frame)
 }
 
 /// 1 where hair lies as that which is held, 0 where it lies elsewhere, as beyond a parting. Found once for each sample
-/// of the frames' table. `place`: from the layout's upper left.
-float GrabTool::agreement(Held& held, glm::vec2 place)
+/// of the frames' table. `position`: from the layout's upper left.
+float GrabTool::agreement(Held& held, glm::vec2 position)
 {
-    const glm::ivec2 cell = glm::clamp(glm::ivec2(place * static_cast<float>(SkinFrames::kSize)), glm::ivec2(0),
+    const glm::ivec2 cell = glm::clamp(glm::ivec2(position * static_cast<float>(SkinFrames::kSize)), glm::ivec2(0),
                                        glm::ivec2(SkinFrames::kSize - 1));
     if (held.agreement.empty())
         held.agreement.resize(std::size_t{SkinFrames::kSize} * SkinFrames::kSize, -1.0F);
@@ -258,9 +258,9 @@ float GrabTool::agreement(Held& held, glm::vec2 place)
         held.agreement[static_cast<std::size_t>(cell.y) * SkinFrames::kSize + static_cast<std::size_t>(cell.x)];
     if (known < 0.0F) {
         const glm::vec2 middle = (glm::vec2(cell) + 0.5F) / static_cast<float>(SkinFrames::kSize);
-        const std::optional<SkinPlace>& there = m_frames->place(cell.x, cell.y);
+        const std::optional<FramedPoint>& there = m_frames->point(cell.x, cell.y);
         const float along = there ? glm::dot(lyingHd({middle.x, 1.0F - middle.y}, there->frame), held.lyingHd) : 1.0F;
-        known = std::clamp((along - kOtherWay) / (kSameWay - kOtherWay), 0.0F, 1.0F);
+        known = std::clamp((along - kUnlike) / (kAlike - kUnlike), 0.0F, 1.0F);
     }
     return known;
 }
@@ -282,18 +282,18 @@ void GrabTool::layGel(const ToolSettings& settings)
     m_edit.update(m_gelTiles, gelled, *m_gel);
 }
 
-/// All go the same way as the hair that is held, `flatness` aside, each in the frame of its root.
-void GrabTool::layDirections(glm::vec3 wayHd, std::optional<float> flatness, const ToolSettings& settings)
+/// All take the direction of the hair that is held, `flatness` aside, each in the frame of its root.
+void GrabTool::layDirections(glm::vec3 directionHd, std::optional<float> flatness, const ToolSettings& settings)
 {
     const int size = m_edit.size();
     CombField field(size);
     for (const Held& held : m_held) {
-        const glm::vec3 ownHd = wayHd * held.across;
+        const glm::vec3 ownHd = directionHd * held.across;
         const sim::SkinFrame centre = sim::SkinFrame::at(held.root);
         const Dab dab = dabAt(SkinMetric::at(held.root), held.root.uv, 0.5F * settings.brushSizeM, size);
         field.add(dab, [&](int x, int y) -> std::optional<glm::vec2> {
-            const glm::vec2 place = (glm::vec2(x, y) + 0.5F) / static_cast<float>(size);
-            const sim::SkinFrame frame = m_frames->at({place.x, 1.0F - place.y}).value_or(centre);
+            const glm::vec2 position = (glm::vec2(x, y) + 0.5F) / static_cast<float>(size);
+            const sim::SkinFrame frame = m_frames->at({position.x, 1.0F - position.y}).value_or(centre);
             const glm::vec2 inPlane = frame.fromHd(ownHd);
             const float length = glm::length(inPlane);
             // What would go into the head lies flat on it.

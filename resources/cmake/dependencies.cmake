@@ -1,4 +1,4 @@
-# Every library the project uses, found in one place. The README's table gives the reason for each.
+# Every library the project uses, all found here. The README's table gives the reason for each.
 
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)

@@ -58,7 +58,7 @@ void GatheredWriter::write(std::uint32_t slot, const RootChance& chance, const R
         const float coreFreeM = tie.coreFreeM;
         tie.lay.layTail(course, coreFreeM, nodes);
         const float start = hair.style.braidStart;
-        applyBraid(settings, kind, chance, tautM, coreFreeM, hair.style);
+        applyBraid(settings, kind, wispChanceOf(roots.seed, roots.rankOfSlot[slot]), tautM, coreFreeM, hair.style);
         hair.style.braidStart = start;
         if (isBun) {
             // A twist of that thickness along a short axis is a coil.

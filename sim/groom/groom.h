@@ -175,7 +175,7 @@ struct Groom
     {
         return chunks[chunkOf(slot)]->styles[inChunk(slot)];
     }
-    /// Which strand of a StrandFrame's positions a slot of a placed chunk is.
+    /// Which strand of a StrandFrame's positions a slot of a positioned chunk is.
     [[nodiscard]] std::size_t frameStrand(std::size_t slot) const
     {
         return static_cast<std::size_t>(packedChunk[chunkOf(slot)]) * kChunkSlots + inChunk(slot);

@@ -92,7 +92,7 @@ void MapChanges::find(const GroupMaps& before, const GroupMaps& after, ChangedSl
             return other.slot < rule.slot && other.effect == rule.effect && before[other.slot] == was &&
                    after[other.slot] == is;
         };
-        if (was == is || std::ranges::any_of(kMapRules, isCompared))
+        if (was == is || rule.effect == MapEffect{} || std::ranges::any_of(kMapRules, isCompared))
             continue;
         if (rule.sampling == MapSampling::Nearest)
             compare(rule, nearest, *was, *is, changed);

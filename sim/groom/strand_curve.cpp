@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hairpaint::sim {
 
@@ -98,6 +99,36 @@ of_floats::Span spanOf(std::span<const glm::vec3> nodes, std::size_t segment, bo
     return of_floats::spanOf(segment > 0 ? nodes[segment - 1] : beforeRoot(), p1, p2,
                              segment + 2 < nodes.size() ? nodes[segment + 2] : of_floats::beyond(p2, p1));
 }
+
+/// Walks along a skeleton: the curve at fractions of it, which rise.
+class Course
+{
+public:
+    Course(std::span<const glm::vec3> nodes, bool isTaut) : m_nodes(nodes), m_isTaut(isTaut) {}
+
+    void goTo(float s)
+    {
+        const std::size_t last = m_nodes.size() - 1;
+        m_u = s * static_cast<float>(last);
+        const std::size_t segment = std::min(static_cast<std::size_t>(m_u), last - 1);
+        if (segment != m_segment) {
+            m_segment = segment;
+            m_span = spanOf(m_nodes, segment, m_isTaut);
+        }
+    }
+    [[nodiscard]] float u() const { return m_u; } ///< By node.
+    [[nodiscard]] glm::vec3 position() const { return of_floats::positionAt(m_span, t()); }
+    [[nodiscard]] glm::vec3 derivative() const { return of_floats::derivativeAt(m_span, t()); }
+
+private:
+    [[nodiscard]] float t() const { return m_u - static_cast<float>(m_segment); }
+
+    std::span<const glm::vec3> m_nodes;
+    bool m_isTaut;
+    std::size_t m_segment = std::numeric_limits<std::size_t>::max();
+    float m_u = 0.0F;
+    of_floats::Span m_span{};
+};
 
 /// The wisp's and the hair's offset at a fraction q of a braid of `lengthM`: x along the frame's first axis, y along
 /// the strand, z along the third.
@@ -206,6 +237,15 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
     const std::size_t last = skeletonHd.size() - 1;
     const bool isCurled = style.turns > 0.0F && style.curlRadiusM > 0.0F;
     const bool isBraided = style.braid != BraidKind::None && style.braidStart < 1.0F;
+    Course course(skeletonHd, style.isTaut());
+    const auto fractionOf = [segments](int j) { return static_cast<float>(j) / static_cast<float>(segments); };
+    if (!isCurled && !isBraided && !(style.frizzM > 0.0F)) {
+        for (int j = 0; j <= segments; ++j) {
+            course.goTo(fractionOf(j));
+            pointsHd.push_back(course.position());
+        }
+        return;
+    }
     const of_floats::Frizz frizz = of_floats::frizzOf(style.frizzM, style.lengthM);
     glm::vec3 lastPoint = skeletonHd[0];
     // Only where the skeleton has no direction at all.
@@ -214,13 +254,11 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
     const auto shared = static_cast<std::size_t>(std::lround(style.braidStart * static_cast<float>(last))) + 1;
     bool isFramed = !isBraided || shared > last; // As it will be.
     for (int j = 0; j <= segments; ++j) {
-        const float s = static_cast<float>(j) / static_cast<float>(segments);
-        const float u = s * static_cast<float>(last);
-        const std::size_t segment = std::min(static_cast<std::size_t>(u), last - 1);
-        const of_floats::Span span = spanOf(skeletonHd, segment, style.isTaut());
-        const float t = u - static_cast<float>(segment);
-        const glm::vec3 position = of_floats::positionAt(span, t);
-        const glm::vec3 derivative = of_floats::derivativeAt(span, t);
+        const float s = fractionOf(j);
+        course.goTo(s);
+        const float u = course.u();
+        const glm::vec3 position = course.position();
+        const glm::vec3 derivative = course.derivative();
         const glm::vec3 tangent = of_floats::tangentOf(derivative, lastTangent);
         if (!isFramed && u >= static_cast<float>(shared)) {
             isFramed = true;

@@ -1,4 +1,4 @@
-// Preparing and placing dependent hairs.
+// Preparing and positioning dependent hairs.
 #include "sim/motion/dependents.h"
 
 #include "sim/base/parallel.h"
@@ -56,14 +56,14 @@ glm::vec3 inWorld(const RigidMotion& world, glm::vec3 p)
 void Dependents::prepare(const Groom& groom, const ColliderSet& colliders, bool everything)
 {
     m_chunks.resize(groom.chunks.size());
-    m_placed.clear();
+    m_positioned.clear();
     std::vector<std::uint8_t> changed;
     const bool basisDiffers = findChangedBasis(groom, changed);
     std::vector<std::uint32_t> stale;
     std::vector<std::uint32_t> kept;
     for (std::size_t i = 0; i < groom.chunks.size(); ++i) {
         if (groom.chunks[i] && groom.packedChunk[i] >= 0)
-            m_placed.push_back(static_cast<std::uint32_t>(i));
+            m_positioned.push_back(static_cast<std::uint32_t>(i));
         if (everything || m_chunks[i].styles != groom.chunks[i])
             stale.push_back(static_cast<std::uint32_t>(i));
         else if (basisDiffers && groom.chunks[i])
@@ -414,7 +414,7 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
 {
     const std::size_t chunkFloats = groom.blocks().floatsFor(kBlocksPerChunk);
     frame.positions.resize(static_cast<std::size_t>(groom.packedChunks) * chunkFloats);
-    if (!groom.roots || m_placed.empty())
+    if (!groom.roots || m_positioned.empty())
         return;
     findDisplacements(groom, state, fraction);
     DependentsTask common;
@@ -425,9 +425,9 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
     common.world = worldOfHead(pose);
     common.neck = neckTurn(neck, pose);
     common.detail = frame.detail;
-    parallelFor(m_placed.size() * kBlocksPerChunk, kDependentBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
+    parallelFor(m_positioned.size() * kBlocksPerChunk, kDependentBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
         for (std::size_t at = begin; at < end;) {
-            const std::size_t index = m_placed[at / kBlocksPerChunk];
+            const std::size_t index = m_positioned[at / kBlocksPerChunk];
             const std::size_t chunkBegin = at - at % kBlocksPerChunk;
             const std::size_t until = std::min(end, chunkBegin + kBlocksPerChunk);
             const Chunk& chunk = m_chunks[index];
@@ -439,14 +439,14 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
             task.lanes = chunk.lanes.data();
             task.leastDetail = chunk.styles->leastDetail.data();
             task.out = frame.positions.data() + static_cast<std::size_t>(groom.packedChunk[index]) * chunkFloats;
-            placeDependents(task, at - chunkBegin, until - chunkBegin);
+            positionDependents(task, at - chunkBegin, until - chunkBegin);
             at = until;
         }
     });
-    parallelFor(m_placed.size(), 1, [&](std::size_t begin, std::size_t end) {
+    parallelFor(m_positioned.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const Chunk& chunk = m_chunks[m_placed[i]];
-            const auto packed = static_cast<std::size_t>(groom.packedChunk[m_placed[i]]);
+            const Chunk& chunk = m_chunks[m_positioned[i]];
+            const auto packed = static_cast<std::size_t>(groom.packedChunk[m_positioned[i]]);
             if (!chunk.braided.empty())
                 writeBraided(groom, chunk, common.world, frame.detail, frame.positions.data() + packed * chunkFloats);
         }

@@ -1,4 +1,4 @@
-// The drawn hairs of a group, placed around its basis hairs; braided ones along their braid's centre.
+// The drawn hairs of a group, positioned around its basis hairs; braided ones along their braid's centre.
 #pragma once
 
 #include "sim/base/aligned_floats.h"
@@ -77,8 +77,8 @@ private:
     std::shared_ptr<const BasisStyles> m_basis;
     std::vector<Lead> m_leads; ///< [basis lanes] of m_basis.
     std::vector<Chunk> m_chunks;
-    std::vector<std::uint32_t> m_placed; ///< Chunks that have positions in the frame.
-    AlignedFloats m_displacements;       ///< [basis lanes][nodes][kBasisFloats], see DependentsTask.
+    std::vector<std::uint32_t> m_positioned; ///< Chunks that have positions in the frame.
+    AlignedFloats m_displacements;           ///< [basis lanes][nodes][kBasisFloats], see DependentsTask.
 };
 
 } // namespace hairpaint::sim

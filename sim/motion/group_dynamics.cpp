@@ -238,7 +238,7 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
             for (int row = 0; row < m_state.laneRows; ++row)
                 alone.field(i, row) = m_state.field(strand, row);
             hang(alone, i, std::span(shape).first(nodes), downHd, std::span(hanging).first(nodes));
-            alone.placeStrand(i, std::span(hanging).first(nodes));
+            alone.setStrand(i, std::span(hanging).first(nodes));
         }
         stepBlocks(alone.view(rest.data()), gains, m_colliders, steps, 0, begin, end);
     });
@@ -261,7 +261,7 @@ void GroupDynamics::reset()
             if (m_state.field(strand, kStill) >= kUnwanted)
                 continue;
             m_groom->blocks().read(m_groom->basis->restPositions, strand, std::span(rest).first(nodes));
-            m_state.placeStrand(strand, std::span(rest).first(nodes));
+            m_state.setStrand(strand, std::span(rest).first(nodes));
         }
     });
     if (m_body)

@@ -34,7 +34,7 @@ public:
 
     void step(std::span<const StepForces> steps);
     /// `fraction`: 0 at the step before, 1 at the present one. The pose is that of the same moment; of the hairs those
-    /// below frame.detail are placed.
+    /// below frame.detail are positioned.
     void write(GroupFrame& frame, float fraction, const HeadPose& pose, const Neck& neck = {}) const;
 
     [[nodiscard]] const std::shared_ptr<const Groom>& groom() const { return m_groom; }

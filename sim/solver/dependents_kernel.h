@@ -53,6 +53,6 @@ struct DependentsTask
 /// has of its own beside theirs is forgotten where they have moved far: two hairs of which one is laid over the ear
 /// hang side by side. Then segment lengths are restored from root to tip, outside ellipsoids and skin. Neither
 /// allocates nor throws; the same bytes with every instruction set.
-void placeDependents(const DependentsTask& task, std::size_t begin, std::size_t end);
+void positionDependents(const DependentsTask& task, std::size_t begin, std::size_t end);
 
 } // namespace hairpaint::sim

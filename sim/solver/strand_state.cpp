@@ -53,7 +53,7 @@ void StrandState::copyStrand(const StrandState& from, std::size_t fromStrand, st
         field(toStrand, row) = from.field(fromStrand, row);
 }
 
-void StrandState::placeStrand(std::size_t strand, std::span<const glm::vec3> nodesHd)
+void StrandState::setStrand(std::size_t strand, std::span<const glm::vec3> nodesHd)
 {
     for (AlignedFloats* array : {&positions[0], &positions[1], &previous})
         shape().write(*array, strand, nodesHd);

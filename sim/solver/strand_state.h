@@ -39,7 +39,7 @@ struct StrandState
 
     void copyStrand(const StrandState& from, std::size_t fromStrand, std::size_t toStrand);
     /// Both steps at `nodesHd`, without speed, awake.
-    void placeStrand(std::size_t strand, std::span<const glm::vec3> nodesHd);
+    void setStrand(std::size_t strand, std::span<const glm::vec3> nodesHd);
     /// Without speed where it is.
     void stopStrand(std::size_t strand);
     /// Another rest shape, root first.

@@ -217,19 +217,19 @@ private Q_SLOTS:
         QVERIFY(checked("view.both") && !checked("view.paint"));
     }
 
-    void bracketsGoByTheirPlaceUntilTheyAreBoundAnew()
+    void bracketsGoByTheirKeysUntilTheyAreBoundAnew()
     {
         QAction* smaller = m_window->actions().find(QLatin1StringView("tool.smaller"));
         QCOMPARE(smaller->shortcut(), QKeySequence(Qt::Key_BracketLeft));
         const auto size = [this] { return m_window->session().editor().tools().settings().brushSizeM; };
         // Where a German keyboard types an umlaut.
 #ifdef Q_OS_WIN
-        constexpr quint32 kPlace = 0x1A;
+        constexpr quint32 kKeyCode = 0x1A;
 #else
-        constexpr quint32 kPlace = 34;
+        constexpr quint32 kKeyCode = 34;
 #endif
         const auto press = [this] {
-            QKeyEvent event(QEvent::KeyPress, Qt::Key_Udiaeresis, Qt::NoModifier, kPlace, 0, 0);
+            QKeyEvent event(QEvent::KeyPress, Qt::Key_Udiaeresis, Qt::NoModifier, kKeyCode, 0, 0);
             QApplication::sendEvent(&m_window->paintView(), &event);
         };
         const float before = size();

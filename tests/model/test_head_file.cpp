@@ -70,8 +70,8 @@ private Q_SLOTS:
         QCOMPARE(shown.marks.size(), shown.positionsHd.size());
         QCOMPARE(coarse.marks.size(), coarse.positionsHd.size());
         const sim::Skin skin(shown);
-        const auto at = [&](const glm::vec3& place) {
-            return shown.marks[shown.triangles[skin.nearest(place).face].x];
+        const auto at = [&](const glm::vec3& positionHd) {
+            return shown.marks[shown.triangles[skin.nearest(positionHd).face].x];
         };
         QVERIFY(at({0.0F, 0.12F, -0.03F}).sky > 250);      // The crown sees all of it,
         QVERIFY(at({0.0F, -0.120F, 0.045F}).sky < 190);    // so does the skin under the chin.
@@ -95,7 +95,7 @@ private Q_SLOTS:
 
     void hairGrowsAwayFromTheCrown_data()
     {
-        QTest::addColumn<glm::vec3>("place");
+        QTest::addColumn<glm::vec3>("positionHd");
         QTest::addColumn<glm::vec3>("grows");
         QTest::newRow("top") << glm::vec3(0.0F, 0.12F, 0.03F) << glm::vec3(0.0F, 0.0F, 1.0F);
         QTest::newRow("hairline") << glm::vec3(0.0F, 0.0728F, 0.0748F) << glm::vec3(0.0F, -0.6F, 0.8F);
@@ -106,13 +106,13 @@ private Q_SLOTS:
     }
     void hairGrowsAwayFromTheCrown()
     {
-        QFETCH(glm::vec3, place);
+        QFETCH(glm::vec3, positionHd);
         QFETCH(glm::vec3, grows);
         for (const char* name : {"bust-1", "bust-2"}) {
             const std::shared_ptr<const Head> head = builtInHead(QString::fromLatin1(name)).value();
             QVERIFY(head->naturalDirection != nullptr);
             QCOMPARE(head->naturalDirection->channels(), 2);
-            const sim::SurfacePoint point = head->skin->nearest(place);
+            const sim::SurfacePoint point = head->skin->nearest(positionHd);
             const glm::vec2 channels(head->naturalDirection->sampleBilinear(point.uv));
             const glm::vec3 direction = sim::SkinFrame::at(point).toHd(sim::directionOfChannels(channels * 65535.0F));
             QVERIFY2(glm::length(direction) > 0.5F && glm::dot(glm::normalize(direction), grows) > 0.8F,
@@ -130,8 +130,9 @@ private Q_SLOTS:
         std::map<std::tuple<float, float, float>, sim::SkinMarks> known;
         for (std::size_t i = 0; i < mesh.positionsHd.size(); ++i)
             known[{mesh.positionsHd[i].x, mesh.positionsHd[i].y, mesh.positionsHd[i].z}] = mesh.marks[i];
-        for (const auto& [place, marks] : known) {
-            const auto mirrored = known.find({-std::get<0>(place), std::get<1>(place), std::get<2>(place)});
+        for (const auto& [positionHd, marks] : known) {
+            const auto mirrored =
+                known.find({-std::get<0>(positionHd), std::get<1>(positionHd), std::get<2>(positionHd)});
             QVERIFY(mirrored != known.end());
             QCOMPARE(mirrored->second.sky, marks.sky);
             QCOMPARE(mirrored->second.lips, marks.lips);

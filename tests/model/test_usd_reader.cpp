@@ -184,20 +184,20 @@ private Q_SLOTS:
         half.replace("[2, 3]", "[2.5, 2.5]");
         QByteArray huge = whole;
         huge.replace("[2, 3]", "[2, 1e30]");
-        QByteArray place = whole;
-        place.replace("2.5e0", "nan");
+        QByteArray wrong = whole;
+        wrong.replace("2.5e0", "nan");
         QTest::newRow("another format") << QByteArray("PXR-USDC and more");
         QTest::newRow("no text") << QByteArray("solid");
         QTest::newRow("counts beyond the points") << counts;
         QTest::newRow("points beyond the counts") << fewer;
         QTest::newRow("half a point") << half;
         QTest::newRow("very many") << huge;
-        QTest::newRow("a place that is none") << place;
+        QTest::newRow("a position that is none") << wrong;
         QTest::newRow("cut short") << whole.chopped(4);
         QTest::newRow("cut in an array") << whole.first(whole.indexOf("2.5e0"));
         QTest::newRow("cut in a text") << QByteArray("#usda 1.0\n(\n doc = \"");
         QTest::newRow("too deep") << "#usda 1.0\n" + QByteArray("def \"a\" {").repeated(1000);
-        QTest::newRow("an unknown way to move")
+        QTest::newRow("an unknown kind of motion")
             << textOf(kCurves, "", "float xformOp:shear = 1\nuniform token[] xformOpOrder = [\"xformOp:shear\"]\n");
         QTest::newRow("moved as nothing says")
             << textOf(kCurves, "", "uniform token[] xformOpOrder = [\"xformOp:scale\"]\n");

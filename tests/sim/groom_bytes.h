@@ -25,7 +25,7 @@ inline const char* differenceOf(const sim::Groom& a, const sim::Groom& b)
     if (!sameBytes(a.roots->rankOfSlot, b.roots->rankOfSlot) || !sameBytes(a.roots->positionHd, b.roots->positionHd))
         return "roots";
     if (!sameBytes(a.packedChunk, b.packedChunk) || a.packedChunks != b.packedChunks)
-        return "places of chunks";
+        return "indices of chunks";
     if (!sameBytes(a.basis->wanted, b.basis->wanted))
         return "wanted basis hairs";
     if (!sameBytes(a.basis->restPositions, b.basis->restPositions))

@@ -75,7 +75,7 @@ private Q_SLOTS:
     void settingsThatLeaveTheHairsAloneShareThem();
     void settingsThatChangeTheHairsEqualAFreshBuild_data();
     void settingsThatChangeTheHairsEqualAFreshBuild();
-    void groupsComeGoAndChangePlaces();
+    void groupsComeGoAndChangeOrder();
     void anyNumberOfThreadsGivesTheSameBytes_data();
     void anyNumberOfThreadsGivesTheSameBytes();
 };
@@ -376,7 +376,7 @@ void TestGroomUpdates::settingsThatChangeTheHairsEqualAFreshBuild()
     verifySame(*after, *GroomBuilder().update(input).grooms[0], QStringLiteral("after"));
 }
 
-void TestGroomUpdates::groupsComeGoAndChangePlaces()
+void TestGroomUpdates::groupsComeGoAndChangeOrder()
 {
     GroomInput input = startInput();
     GroomInput::Group brow = input.groups[0];

@@ -295,7 +295,7 @@ private Q_SLOTS:
         QVERIFY(layer().visible && !layer().locked);
     }
 
-    void a_layer_is_renamed_in_place()
+    void a_layer_is_renamed_in_its_row()
     {
         PanelFixture f;
         LayersPanel panel(f.state);
@@ -438,7 +438,7 @@ private Q_SLOTS:
         ask(model::ToolId::Brush);
         QVERIFY(hint->isVisible() && !demo->isVisible());
         for (const model::ToolId tool : {model::ToolId::Comb, model::ToolId::Part, model::ToolId::Grab,
-                                         model::ToolId::Scissors, model::ToolId::Gradient}) {
+                                         model::ToolId::Fingers, model::ToolId::Scissors, model::ToolId::Gradient}) {
             QToolButton* button = ask(tool);
             QVERIFY(hint->isVisible() && demo->isVisible());
             QCOMPARE(hint->findChild<QLabel*>()->text(), button->toolTip());

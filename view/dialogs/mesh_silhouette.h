@@ -1,4 +1,4 @@
-// A mesh seen from the front, so that a wrong axis is seen at once.
+// A mesh seen from the front, which shows a wrong up axis.
 #pragma once
 
 #include "model/project/project.h"

@@ -230,7 +230,7 @@ void HeadPointer::blowAt(const PointerSample& sample)
     const RayWo ray = rayThrough(m_scene.camera(), sample.position, QSizeF(m_area.size()));
     const std::optional<HoverPoint>& hover = m_editor.hover().at();
     const std::optional<glm::vec3> positionWo =
-        placeNearHair(ray, m_scene.shownPose(), hover ? hover->point : std::nullopt);
+        pointNearHair(ray, m_scene.shownPose(), hover ? hover->point : std::nullopt);
     if (!positionWo) {
         m_puffs.interrupt();
         return;

@@ -66,6 +66,8 @@ public:
     /// The ring of a brush in the paint area, in px, where the head hides it; empty where it does not.
     [[nodiscard]] QPolygonF hiddenRing() const;
 
+    /// Of what is worn and drawn, in that order.
+    [[nodiscard]] const std::vector<rendering::Solid>& solids() const { return m_scene.solids; }
     /// The skin that a position of the area shows, hair ignored; none where the ray misses the head.
     [[nodiscard]] std::optional<sim::SurfacePoint> skinAt(QPointF position) const;
     /// How large a pixel of the area is on the skin there; not all of it where that is seen from the side.
@@ -92,7 +94,8 @@ private:
     const HeadTurn& m_turn;
     const QWidget& m_area;
     rendering::Scene m_scene;
-    std::optional<sim::SurfacePoint> m_brush; ///< Where it was last.
+    std::optional<sim::SurfacePoint> m_brush;  ///< Where it was last.
+    std::weak_ptr<const sim::Skin> m_solidsOn; ///< What the solids were made for.
     StrandPick m_seen;
 };
 

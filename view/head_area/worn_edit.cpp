@@ -12,7 +12,10 @@ void addWornAt(EditorState& editor, model::WornKind kind, const sim::SurfacePoin
 {
     const model::WornSpec& spec = model::wornSpec(kind);
     model::Document& document = editor.document();
-    model::CommandPtr command = addWornCommand(document, makeWorn(spec, point, editor.target().group()));
+    model::CommandPtr command =
+        spec.patchStep == nullptr
+            ? addWornCommand(document, makeWorn(spec, point, editor.target().group()))
+            : gatherCommand(document, editor.target().group(), spec, point, editor.tools().selection().rectangles());
     if (command == nullptr)
         return;
     document.push(std::move(command));

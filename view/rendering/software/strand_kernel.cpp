@@ -74,9 +74,9 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
         const Yes there = loaded(block.width.data() + lane) > Lanes(0.0F);
         Triple<Lanes> before = loaded3(nodes);
         Triple<Lanes> here = loaded3(nodes + kRow);
-        const auto perM = [&](const Triple<Lanes>& place) {
+        const auto perM = [&](const Triple<Lanes>& position) {
             return Lanes(view.samplesPerM) /
-                   most(projected(view.projectionFromWo, place, 1.0F).z, Lanes(kNearestDrawnM));
+                   most(projected(view.projectionFromWo, position, 1.0F).z, Lanes(kNearestDrawnM));
         };
         for (int k = 1; k + 1 < block.nodes; ++k) {
             const Triple<Lanes> after = loaded3(nodes + static_cast<std::size_t>(k + 1) * kRow);

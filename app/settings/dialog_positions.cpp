@@ -1,5 +1,5 @@
 // Choosing a position, and remembering one.
-#include "app/settings/dialog_places.h"
+#include "app/settings/dialog_positions.h"
 
 #include <QApplication>
 #include <QDialog>
@@ -37,7 +37,7 @@ QPoint insideScreen(QPoint wanted, QSize size, const QRect& screen)
             std::max(screen.top(), std::min(wanted.y(), screen.bottom() + 1 - size.height()))};
 }
 
-QPoint placeBesideHead(QSize size, const DialogRoom& room)
+QPoint positionBesideHead(QSize size, const DialogRoom& room)
 {
     const QRect& head = room.head;
     const int top = (head.isEmpty() ? room.window : head).top() + kGapPx;
@@ -66,13 +66,13 @@ QPoint placeBesideHead(QSize size, const DialogRoom& room)
     return best;
 }
 
-DialogPlaces::DialogPlaces(QWidget& window, Settings& settings, std::function<QRect()> head)
+DialogPositions::DialogPositions(QWidget& window, Settings& settings, std::function<QRect()> head)
     : QObject(&window), m_window(window), m_settings(settings), m_head(std::move(head))
 {
     qApp->installEventFilter(this);
 }
 
-bool DialogPlaces::isOurs(const QDialog& dialog) const
+bool DialogPositions::isOurs(const QDialog& dialog) const
 {
     return dialog.isWindow() && dialog.parentWidget() == &m_window &&
            qobject_cast<const QMessageBox*>(&dialog) == nullptr &&
@@ -80,14 +80,14 @@ bool DialogPlaces::isOurs(const QDialog& dialog) const
            dialog.objectName() != QLatin1String("progressWindow");
 }
 
-bool DialogPlaces::eventFilter(QObject* watched, QEvent* event)
+bool DialogPositions::eventFilter(QObject* watched, QEvent* event)
 {
     const QEvent::Type type = event->type();
     const bool isShown = type == QEvent::Show || type == QEvent::Hide;
     if ((isShown && !event->spontaneous()) || type == QEvent::Resize)
         if (auto* dialog = qobject_cast<QDialog*>(watched); dialog != nullptr && isOurs(*dialog)) {
             if (type == QEvent::Show)
-                place(*dialog);
+                position(*dialog);
             else if (type == QEvent::Hide)
                 remember(*dialog);
             else
@@ -96,46 +96,46 @@ bool DialogPlaces::eventFilter(QObject* watched, QEvent* event)
     return QObject::eventFilter(watched, event);
 }
 
-void DialogPlaces::place(QDialog& dialog)
+void DialogPositions::position(QDialog& dialog)
 {
-    const std::optional<QPoint> left = m_settings.dialogPlace(QString::fromLatin1(dialog.metaObject()->className()));
+    const std::optional<QPoint> left = m_settings.dialogPosition(QString::fromLatin1(dialog.metaObject()->className()));
     const QScreen* screen = left ? QGuiApplication::screenAt(*left + kInTitle) : nullptr;
     const QRect free = (screen != nullptr ? screen : m_window.screen())->availableGeometry();
     dialog.resize(dialog.size().boundedTo(free.size() - kFramePx)); // Those that can be smaller are.
     const QSize size = dialog.size() + kFramePx;
     const QPoint at =
         left ? insideScreen(*left, size, free)
-             : placeBesideHead(size, {.window = m_window.frameGeometry(), .head = m_head(), .screen = free});
+             : positionBesideHead(size, {.window = m_window.frameGeometry(), .head = m_head(), .screen = free});
     dialog.move(at);
-    m_placed[&dialog] = at;
+    m_positions[&dialog] = at;
 }
 
-void DialogPlaces::keepInside(QDialog& dialog)
+void DialogPositions::keepInside(QDialog& dialog)
 {
-    const auto placed = m_placed.find(&dialog);
-    if (placed == m_placed.end())
+    const auto known = m_positions.find(&dialog);
+    if (known == m_positions.end())
         return;
     const QPoint at = insideScreen(dialog.pos(), dialog.size() + kFramePx, dialog.screen()->availableGeometry());
     if (at == dialog.pos())
         return;
-    if (!isMoved(dialog, placed->second))
-        placed->second = at;
+    if (!isMoved(dialog, known->second))
+        known->second = at;
     dialog.move(at);
 }
 
-bool DialogPlaces::isMoved(const QDialog& dialog, QPoint from)
+bool DialogPositions::isMoved(const QDialog& dialog, QPoint from)
 {
     return (dialog.pos() - from).manhattanLength() > kSlackPx;
 }
 
-void DialogPlaces::remember(QDialog& dialog)
+void DialogPositions::remember(QDialog& dialog)
 {
-    const auto placed = m_placed.find(&dialog);
-    if (placed == m_placed.end())
+    const auto known = m_positions.find(&dialog);
+    if (known == m_positions.end())
         return;
-    if (isMoved(dialog, placed->second))
-        m_settings.setDialogPlace(QString::fromLatin1(dialog.metaObject()->className()), dialog.pos());
-    m_placed.erase(placed);
+    if (isMoved(dialog, known->second))
+        m_settings.setDialogPosition(QString::fromLatin1(dialog.metaObject()->className()), dialog.pos());
+    m_positions.erase(known);
 }
 
 } // namespace hairpaint::app

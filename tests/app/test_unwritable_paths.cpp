@@ -39,7 +39,7 @@ void limitFiles(qint64 bytes)
 
 } // namespace
 
-class TestUnwritablePlaces : public QObject
+class TestUnwritablePaths : public QObject
 {
     Q_OBJECT
 private:
@@ -85,14 +85,14 @@ private Q_SLOTS:
             QVERIFY(QDir().mkpath(path(QStringLiteral("folder.") + ending)));
         rows("a folder", path(QStringLiteral("folder")));
 #ifdef Q_OS_LINUX
-        rows("a place for no one", QStringLiteral("/proc/out"));
+        rows("a path for no one", QStringLiteral("/proc/out"));
         for (const auto& [verb, output] : {std::pair("render", "/proc/out.png"), std::pair("export", "/proc/out.hair")})
-            QTest::newRow(qPrintable(QStringLiteral("a place for no one, film, %1").arg(QLatin1StringView(verb))))
+            QTest::newRow(qPrintable(QStringLiteral("a path for no one, film, %1").arg(QLatin1StringView(verb))))
                 << QStringList{QLatin1StringView(verb),    m_good,
                                QStringLiteral("-o"),       QLatin1StringView(output),
                                QStringLiteral("--frames"), QStringLiteral("0-1")}
                 << QStringLiteral("/proc/out.0000");
-        QTest::newRow("a place for no one, maps")
+        QTest::newRow("a path for no one, maps")
             << QStringList{QStringLiteral("export"), m_good, QStringLiteral("--maps"), QStringLiteral("/proc")}
             << QStringLiteral("/proc/Scalp-density.png");
         // As root a file could be renamed over a device.
@@ -169,7 +169,7 @@ private Q_SLOTS:
     }
 
     /// A link of the kernel's that leads nowhere would be replaced by a file, where root is asked to.
-    void standardOutputIsNoPlaceForAFile()
+    void standardOutputTakesNoFile()
     {
         const QString link = path(QStringLiteral("out.hairpaint"));
         QVERIFY(QFile::link(QStringLiteral("/proc/self/fd/1"), link));
@@ -302,5 +302,5 @@ private Q_SLOTS:
 #endif
 };
 
-HAIRPAINT_TEST(TestUnwritablePlaces, Core)
-#include "test_unwritable_places.moc"
+HAIRPAINT_TEST(TestUnwritablePaths, Core)
+#include "test_unwritable_paths.moc"

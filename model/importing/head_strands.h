@@ -13,8 +13,8 @@
 
 namespace hairpaint::model {
 
-/// What brings a file's points to the head: placeHd = rotated(point) * scaleM + offsetHd.
-struct CurvePlacement
+/// What brings a file's points to the head: positionHd = rotated(point) * scaleM + offsetHd.
+struct CurveTransform
 {
     glm::mat3 rotation{1.0F};
     float scaleM = 1.0F; ///< Per unit of the file.
@@ -24,16 +24,16 @@ struct CurvePlacement
 };
 
 /// How hair runs over a point of the skin.
-struct SkinWay
+struct SkinDirection
 {
-    glm::vec3 placeHd{0.0F};
+    glm::vec3 positionHd{0.0F};
     glm::vec3 normalHd{0.0F};
-    glm::vec3 wayHd{0.0F}; ///< Unit.
+    glm::vec3 directionHd{0.0F}; ///< Unit.
 };
 
-struct PlacedStrand
+struct HeadStrand
 {
-    SkinWay root; ///< Its direction is that to the point 2 cm along, of short hair a third along.
+    SkinDirection root; ///< Its direction is that to the point 2 cm along, of short hair a third along.
     StrandShape shape;
     std::uint32_t points = 2;                    ///< Number of points that the file gives it.
     StrandLook look;                             ///< Widths in m.
@@ -42,10 +42,10 @@ struct PlacedStrand
     sim::BraidKind braid = sim::BraidKind::None; ///< In a braid its length is the braid's.
 };
 
-struct PlacedStrands
+struct HeadStrands
 {
-    std::vector<PlacedStrand> strands;
-    std::vector<SkinWay> further; ///< Where some of them lie on skin further on.
+    std::vector<HeadStrand> strands;
+    std::vector<SkinDirection> further; ///< Where some of them lie on skin further on.
     /// Over the skin, of half of the strands no more, where they begin to lie; 0 where none does.
     float heightM = 0.0F;
     float braidRadiusM = 0.0F;  ///< Of its braids; 0 where it has none.
@@ -57,8 +57,8 @@ struct PlacedStrands
 /// Strands whose roots are further from the skin than `kFurthestRootM`, or that have no length, are left out. None
 /// where `progress` cancels. `distances` of that skin may be null. Uses parallelFor.
 inline constexpr float kFurthestRootM = 0.03F;
-[[nodiscard]] std::optional<PlacedStrands> placeStrands(const ForeignStrands& strands, const CurvePlacement& placement,
-                                                        const sim::Skin& skin, const sim::DistanceGrid* distances,
-                                                        const Progress& progress = {});
+[[nodiscard]] std::optional<HeadStrands> strandsOnHead(const ForeignStrands& strands, const CurveTransform& transform,
+                                                       const sim::Skin& skin, const sim::DistanceGrid* distances,
+                                                       const Progress& progress = {});
 
 } // namespace hairpaint::model

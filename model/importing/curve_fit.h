@@ -1,7 +1,7 @@
 // Where the curves of a file stand on a head.
 #pragma once
 
-#include "model/importing/placed_strands.h"
+#include "model/importing/head_strands.h"
 
 #include <optional>
 
@@ -14,10 +14,10 @@ struct CurveSpaceChoice
     std::optional<UpAxis> upAxis;
 };
 
-/// The unit and axes as they are told. Where nothing is, or roots placed so are not on this head, the likeliest: of
+/// The unit and axes as they are told. Where nothing is, or roots so positioned are not on this head, the likeliest: of
 /// usual units and both axes those that bring the roots to the skin, else turned, scaled and moved so that they fit.
 /// Both may disagree, as another program's head does with this one. None where nothing does. About 0.2 s.
-[[nodiscard]] std::optional<CurvePlacement> placeCurves(const ForeignCurves& curves, const CurveSpaceChoice& choice,
-                                                        const sim::Skin& skin);
+[[nodiscard]] std::optional<CurveTransform> fitCurves(const ForeignCurves& curves, const CurveSpaceChoice& choice,
+                                                      const sim::Skin& skin);
 
 } // namespace hairpaint::model

@@ -25,25 +25,25 @@ struct DialogRoom
 
 /// The top left corner at which a dialog of `size` hides least of the head: over what lies beside the 3D area, else at
 /// the window's edge. Inside the screen; what is larger keeps its title there.
-[[nodiscard]] QPoint placeBesideHead(QSize size, const DialogRoom& room);
+[[nodiscard]] QPoint positionBesideHead(QSize size, const DialogRoom& room);
 /// The position nearest to `wanted` that is inside the screen.
 [[nodiscard]] QPoint insideScreen(QPoint wanted, QSize size, const QRect& screen);
 
 /// Moves the window's dialogs when they are shown, and keeps where the user moves them. Questions, file dialogs and
 /// what tells of long work stay in the middle, where the system puts them. GUI thread.
-class DialogPlaces : public QObject
+class DialogPositions : public QObject
 {
     Q_OBJECT
 public:
     /// `head`: the 3D area as it lies now.
-    DialogPlaces(QWidget& window, Settings& settings, std::function<QRect()> head);
+    DialogPositions(QWidget& window, Settings& settings, std::function<QRect()> head);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     [[nodiscard]] bool isOurs(const QDialog& dialog) const;
-    void place(QDialog& dialog);
+    void position(QDialog& dialog);
     void keepInside(QDialog& dialog); ///< Moves it back into the screen after it has grown.
     [[nodiscard]] static bool isMoved(const QDialog& dialog, QPoint from); ///< By the user.
     void remember(QDialog& dialog);
@@ -51,7 +51,7 @@ private:
     QWidget& m_window;
     Settings& m_settings;
     std::function<QRect()> m_head;
-    std::map<const QDialog*, QPoint> m_placed; ///< Positions of the dialogs that are shown.
+    std::map<const QDialog*, QPoint> m_positions; ///< Positions of the dialogs that are shown.
 };
 
 } // namespace hairpaint::app

@@ -11,10 +11,10 @@ namespace hairpaint::model {
 
 /// Positions sorted into cubes. Keeps no reference to them: every call is given those that it was made of. Immutable;
 /// any thread.
-class PlaceGrid
+class PositionGrid
 {
 public:
-    PlaceGrid(std::span<const glm::vec3> positions, float cellM);
+    PositionGrid(std::span<const glm::vec3> positions, float cellM);
 
     /// Calls `use(index)` for the positions in the cubes that a ball touches, in an order that is always the same,
     /// until it returns false.

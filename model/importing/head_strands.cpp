@@ -1,5 +1,5 @@
 // Strand by strand.
-#include "model/importing/placed_strands.h"
+#include "model/importing/head_strands.h"
 
 #include "model/importing/median.h"
 #include "model/values/polyline.h"
@@ -12,10 +12,10 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr std::size_t kPlacedAtOnce = 1U << 14U;
-constexpr std::size_t kPlacedGrain = 64;
+constexpr std::size_t kStrandsAtOnce = 1U << 14U;
+constexpr std::size_t kStrandsGrain = 64;
 constexpr float kLeastLengthM = 1e-4F;
-constexpr float kRootWayM = 0.02F;
+constexpr float kRootStretchM = 0.02F;
 constexpr float kRootWayPart = 1.0F / 3.0F;
 constexpr std::size_t kMostFollowed = 800; ///< Strands of which it is found where they lie further on.
 constexpr float kFollowStepM = 0.01F;
@@ -24,9 +24,9 @@ constexpr int kHeightSteps = 4;      ///< Until hair has risen from its root.
 constexpr float kLiesBelow = 0.4F;   ///< Sine of the angle to the skin.
 constexpr float kLiesUnderM = 0.02F; ///< So far over the skin hair is laid.
 
-bool isOver(const sim::DistanceGrid& distances, const glm::vec3& placeHd)
+bool isOver(const sim::DistanceGrid& distances, const glm::vec3& positionHd)
 {
-    const std::optional<sim::DistanceGrid::Sample> sample = distances.at(placeHd);
+    const std::optional<sim::DistanceGrid::Sample> sample = distances.at(positionHd);
     return sample && sample->distanceM > kLiesUnderM + 0.5F * distances.layout().cellM;
 }
 
@@ -37,16 +37,16 @@ float softStep(float from, float to, float x)
 }
 
 /// The part of a direction that lies in the skin.
-glm::vec3 inSkin(const glm::vec3& way, const glm::vec3& normal)
+glm::vec3 inSkin(const glm::vec3& direction, const glm::vec3& normal)
 {
-    return way - normal * glm::dot(way, normal);
+    return direction - normal * glm::dot(direction, normal);
 }
 
 /// Hair that stands off the skin from its root on, longer than it would by its stiffness, and does not hang.
 float heldOf(std::span<const glm::vec3> axisHd, float lengthM, const glm::vec3& normalHd)
 {
-    const glm::vec3 quarter = placeAlong(axisHd, 0.25F * lengthM) - axisHd.front();
-    const glm::vec3 end = axisHd.back() - placeAlong(axisHd, 0.5F * lengthM);
+    const glm::vec3 quarter = pointAlong(axisHd, 0.25F * lengthM) - axisHd.front();
+    const glm::vec3 end = axisHd.back() - pointAlong(axisHd, 0.5F * lengthM);
     const float rises = glm::dot(quarter, normalHd) / std::max(glm::length(quarter), 1e-6F);
     const float hangs = -end.y / std::max(glm::length(end), 1e-6F);
     // What bends over is held by less.
@@ -61,11 +61,11 @@ glm::vec3 rootWay(std::span<const glm::vec3> axisHd, float lengthM, const glm::v
 {
     constexpr float kGoesOn = 0.5F;    ///< Cosine between stretches that are one turn.
     constexpr float kHeldBends = 0.5F; ///< Most of its bend it has by its style, not by its weight.
-    const float stretchM = std::min(kRootWayM, lengthM * kRootWayPart);
-    const glm::vec3 middle = placeAlong(axisHd, stretchM);
+    const float stretchM = std::min(kRootStretchM, lengthM * kRootWayPart);
+    const glm::vec3 middle = pointAlong(axisHd, stretchM);
     const glm::vec3 first = middle - axisHd.front();
     const glm::vec3 flat = inSkin(first, normalHd);
-    const glm::vec3 next = placeAlong(axisHd, 2.0F * stretchM) - middle;
+    const glm::vec3 next = pointAlong(axisHd, 2.0F * stretchM) - middle;
     const glm::vec3 flatNext = inSkin(next, normalHd);
     const float length = glm::length(first);
     const float flatLength = glm::length(flat);
@@ -79,14 +79,14 @@ glm::vec3 rootWay(std::span<const glm::vec3> axisHd, float lengthM, const glm::v
     // held and bends by its weight.
     const float rises = glm::dot(first, normalHd) / length;
     const float risesNext = glm::dot(next, normalHd) / std::max(glm::length(next), 1e-6F);
-    const float bends = std::max(1.0F - softStep(0.5F, 1.0F, stretchM / kRootWayM), kHeldBends * held);
+    const float bends = std::max(1.0F - softStep(0.5F, 1.0F, stretchM / kRootStretchM), kHeldBends * held);
     const float sine = std::clamp(rises + 0.5F * bends * (rises - risesNext), -1.0F, 1.0F);
     return turned * (std::sqrt(1.0F - sine * sine) / glm::length(turned)) + normalHd * sine;
 }
 
 struct Followed
 {
-    std::vector<SkinWay> ways;
+    std::vector<SkinDirection> directions;
     std::optional<float> heightM; ///< Over the skin, where it has risen to its height in the coat.
 };
 
@@ -94,11 +94,11 @@ struct Followed
 void followStrand(std::span<const glm::vec3> axisHd, const sim::Skin& skin, const sim::DistanceGrid* distances,
                   Followed& found)
 {
-    glm::vec3 last = placeAlong(axisHd, kRootWayM);
+    glm::vec3 last = pointAlong(axisHd, kRootStretchM);
     for (int step = 1; step <= kMostFollowSteps; ++step) {
-        const glm::vec3 next = placeAlong(axisHd, kRootWayM + kFollowStepM * static_cast<float>(step));
-        const glm::vec3 way = next - last;
-        const float length = glm::length(way);
+        const glm::vec3 next = pointAlong(axisHd, kRootStretchM + kFollowStepM * static_cast<float>(step));
+        const glm::vec3 stepHd = next - last;
+        const float length = glm::length(stepHd);
         const glm::vec3 middle = 0.5F * (last + next);
         last = next;
         const bool isBeginning = step <= kHeightSteps;
@@ -106,10 +106,10 @@ void followStrand(std::span<const glm::vec3> axisHd, const sim::Skin& skin, cons
             return;
         const sim::SurfacePoint under = skin.nearest(middle);
         const float height = glm::distance(under.positionHd, middle);
-        if (isBeginning && std::abs(glm::dot(way, under.normalHd)) < kLiesBelow * length)
+        if (isBeginning && std::abs(glm::dot(stepHd, under.normalHd)) < kLiesBelow * length)
             found.heightM = height;
         if (height < kLiesUnderM)
-            found.ways.push_back({under.positionHd, under.normalHd, way / length});
+            found.directions.push_back({under.positionHd, under.normalHd, stepHd / length});
         else if (!isBeginning)
             return;
     }
@@ -117,39 +117,39 @@ void followStrand(std::span<const glm::vec3> axisHd, const sim::Skin& skin, cons
 
 } // namespace
 
-std::optional<PlacedStrands> placeStrands(const ForeignStrands& strands, const CurvePlacement& placement,
-                                          const sim::Skin& skin, const sim::DistanceGrid* distances,
-                                          const Progress& progress)
+std::optional<HeadStrands> strandsOnHead(const ForeignStrands& strands, const CurveTransform& transform,
+                                         const sim::Skin& skin, const sim::DistanceGrid* distances,
+                                         const Progress& progress)
 {
-    PlacedStrands placed;
-    placed.strands.reserve(strands.count());
+    HeadStrands onHead;
+    onHead.strands.reserve(strands.count());
     std::vector<float> heightsM;
     const std::size_t followEach = std::max<std::size_t>(strands.count() / kMostFollowed, 1);
-    for (std::size_t first = 0; first < strands.count(); first += kPlacedAtOnce) {
+    for (std::size_t first = 0; first < strands.count(); first += kStrandsAtOnce) {
         if (progress && !progress(static_cast<double>(first) / static_cast<double>(strands.count())))
             return std::nullopt;
-        const std::size_t some = std::min(kPlacedAtOnce, strands.count() - first);
-        std::vector<std::optional<PlacedStrand>> found(some);
+        const std::size_t some = std::min(kStrandsAtOnce, strands.count() - first);
+        std::vector<std::optional<HeadStrand>> found(some);
         std::vector<Followed> followed(some / followEach + 1);
-        sim::parallelFor(some, kPlacedGrain, [&](std::size_t begin, std::size_t end) {
+        sim::parallelFor(some, kStrandsGrain, [&](std::size_t begin, std::size_t end) {
             StrandScratch scratch;
             std::vector<glm::vec3> pointsHd;
             for (std::size_t i = begin; i < end; ++i) {
                 pointsHd.clear();
                 for (const glm::vec3& point : strands.strand(first + i))
-                    pointsHd.push_back(placement.toHd(point));
+                    pointsHd.push_back(transform.toHd(point));
                 const sim::SurfacePoint root = skin.nearest(pointsHd.front());
                 if (!(glm::distance(root.positionHd, pointsHd.front()) <= kFurthestRootM))
                     continue;
                 const StrandShape shape = measureStrand(pointsHd, scratch);
                 const float held = heldOf(scratch.axisHd, shape.lengthM, root.normalHd);
-                const glm::vec3 wayHd = rootWay(scratch.axisHd, shape.lengthM, root.normalHd, held);
-                if (!(shape.lengthM > kLeastLengthM) || wayHd == glm::vec3(0.0F))
+                const glm::vec3 directionHd = rootWay(scratch.axisHd, shape.lengthM, root.normalHd, held);
+                if (!(shape.lengthM > kLeastLengthM) || directionHd == glm::vec3(0.0F))
                     continue;
                 StrandLook look = strands.looks[first + i];
-                look.rootWidth *= placement.scaleM;
-                look.tipWidth *= placement.scaleM;
-                found[i] = {.root = {root.positionHd, root.normalHd, wayHd},
+                look.rootWidth *= transform.scaleM;
+                look.tipWidth *= transform.scaleM;
+                found[i] = {.root = {root.positionHd, root.normalHd, directionHd},
                             .shape = shape,
                             .points = static_cast<std::uint32_t>(pointsHd.size()),
                             .look = look,
@@ -159,18 +159,18 @@ std::optional<PlacedStrands> placeStrands(const ForeignStrands& strands, const C
                     followStrand(scratch.axisHd, skin, distances, followed[i / followEach]);
             }
         });
-        for (const std::optional<PlacedStrand>& strand : found)
+        for (const std::optional<HeadStrand>& strand : found)
             if (strand)
-                placed.strands.push_back(*strand);
+                onHead.strands.push_back(*strand);
         for (const Followed& one : followed) {
-            placed.further.insert(placed.further.end(), one.ways.begin(), one.ways.end());
+            onHead.further.insert(onHead.further.end(), one.directions.begin(), one.directions.end());
             if (one.heightM)
                 heightsM.push_back(*one.heightM);
         }
     }
     if (!heightsM.empty())
-        placed.heightM = medianOf(heightsM);
-    return placed;
+        onHead.heightM = medianOf(heightsM);
+    return onHead;
 }
 
 } // namespace hairpaint::model

@@ -1,5 +1,5 @@
 // Positions counted by cube, then sorted into them.
-#include "model/importing/place_grid.h"
+#include "model/importing/position_grid.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,7 +12,7 @@ constexpr int kMostCubesASide = 256;
 
 } // namespace
 
-PlaceGrid::PlaceGrid(std::span<const glm::vec3> positions, float cellM) : m_cellM(cellM)
+PositionGrid::PositionGrid(std::span<const glm::vec3> positions, float cellM) : m_cellM(cellM)
 {
     glm::vec3 greatest(0.0F);
     if (!positions.empty()) {
@@ -38,13 +38,13 @@ PlaceGrid::PlaceGrid(std::span<const glm::vec3> positions, float cellM) : m_cell
         m_indices[next[indexOf(cellOf(positions[i]))]++] = static_cast<std::uint32_t>(i);
 }
 
-glm::ivec3 PlaceGrid::cellOf(const glm::vec3& position) const
+glm::ivec3 PositionGrid::cellOf(const glm::vec3& position) const
 {
     const glm::vec3 at = glm::clamp((position - m_least) / m_cellM, glm::vec3(0.0F), glm::vec3(m_size - 1));
     return {at};
 }
 
-std::size_t PlaceGrid::indexOf(const glm::ivec3& cell) const
+std::size_t PositionGrid::indexOf(const glm::ivec3& cell) const
 {
     return (static_cast<std::size_t>(cell.z) * static_cast<std::size_t>(m_size.y) + static_cast<std::size_t>(cell.y)) *
                static_cast<std::size_t>(m_size.x) +

@@ -1,5 +1,5 @@
 // Following links by hand: the system follows none to what is not there.
-#include "model/disk/output_place.h"
+#include "model/disk/output_path.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -54,42 +54,42 @@ Checked<QString> targetOf(const QString& link)
 Checked<QString> followed(const QString& path)
 {
     constexpr int kMostLinks = 40; // As Linux has it.
-    QString place = path;
-    for (int links = 0; QFileInfo(place).isSymbolicLink(); ++links) {
+    QString file = path;
+    for (int links = 0; QFileInfo(file).isSymbolicLink(); ++links) {
         if (links == kMostLinks)
             return refuse(
                 say(QT_TRANSLATE_NOOP("Files", "it is a link that leads round in a circle; choose another name")));
-        Checked<QString> target = targetOf(place);
+        Checked<QString> target = targetOf(file);
         if (!target)
             return target;
         // One of those in /proc that show what a process has open.
-        if (QFileInfo::exists(place) && !QFileInfo::exists(*target))
+        if (QFileInfo::exists(file) && !QFileInfo::exists(*target))
             return refuse(
                 say(QT_TRANSLATE_NOOP("Files", "it leads to a file without a name, which nothing can take the "
                                                "place of; choose another name")));
-        place = *target;
+        file = *target;
     }
-    return place;
+    return file;
 }
 
 } // namespace
 
-Checked<QString> outputPlace(const QString& path)
+Checked<QString> outputPath(const QString& path)
 {
     if (const QString kind = kindOf(path); !kind.isEmpty())
         return refuse(kind);
-    Checked<QString> place = followed(path);
-    if (!place)
-        return place;
-    if (const QString folder = QFileInfo(*place).path(); !QFileInfo(folder).isDir())
+    Checked<QString> file = followed(path);
+    if (!file)
+        return file;
+    if (const QString folder = QFileInfo(*file).path(); !QFileInfo(folder).isDir())
         return refuse(say(QT_TRANSLATE_NOOP("Files", "there is no folder '%1'; make it first")).arg(shownPath(folder)));
-    return place;
+    return file;
 }
 
 Checked<void> checkWritable(const QString& path)
 {
-    const Checked<QString> place = outputPlace(path);
-    return place ? Checked<void>() : tl::unexpected(place.error());
+    const Checked<QString> file = outputPath(path);
+    return file ? Checked<void>() : tl::unexpected(file.error());
 }
 
 } // namespace hairpaint::model

@@ -24,7 +24,7 @@ using namespace hairpaint::model;
 
 #ifdef Q_OS_UNIX
 
-class TestOutputPlace : public QObject
+class TestOutputPath : public QObject
 {
     Q_OBJECT
 private:
@@ -99,10 +99,10 @@ private Q_SLOTS:
         link(QFile::encodeName(other.filePath(QStringLiteral("two"))), "two");
         for (const bool isGood : {false, true}) {
             StagedFiles staged(m_folder->path());
-            const QStringList places{path("one"), path("two"), path("three")};
-            for (const QString& place : places.first(isGood ? 3 : 2)) // What is not there can't take its place.
-                test::writeBytes(staged.pathFor(place), "new");
-            QCOMPARE(staged.publish(places).has_value(), isGood);
+            const QStringList paths{path("one"), path("two"), path("three")};
+            for (const QString& path : paths.first(isGood ? 3 : 2)) // What is not there can't be moved.
+                test::writeBytes(staged.pathFor(path), "new");
+            QCOMPARE(staged.publish(paths).has_value(), isGood);
             QCOMPARE(test::readBytes(other.filePath(QStringLiteral("one"))), QByteArray(isGood ? "new" : "old"));
             QCOMPARE(QFileInfo::exists(other.filePath(QStringLiteral("two"))), isGood);
             QVERIFY(QFileInfo(path("one")).isSymbolicLink() && QFileInfo(path("two")).isSymbolicLink());
@@ -177,12 +177,12 @@ private Q_SLOTS:
 
 #else
 
-class TestOutputPlace : public QObject
+class TestOutputPath : public QObject
 {
     Q_OBJECT
 };
 
 #endif
 
-HAIRPAINT_TEST(TestOutputPlace, Core)
-#include "test_output_place.moc"
+HAIRPAINT_TEST(TestOutputPath, Core)
+#include "test_output_path.moc"

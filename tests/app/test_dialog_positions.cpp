@@ -1,5 +1,5 @@
 // Dialogs open beside the head, inside the screen, and where the user left them.
-#include "app/settings/dialog_places.h"
+#include "app/settings/dialog_positions.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/light_dialog.h"
@@ -9,7 +9,7 @@
 
 namespace hairpaint::app {
 
-class TestDialogPlaces : public QObject, private WindowFixture
+class TestDialogPositions : public QObject, private WindowFixture
 {
     Q_OBJECT
 private:
@@ -60,7 +60,7 @@ private Q_SLOTS:
         QFETCH(QRect, head);
         QFETCH(QSize, dialog);
         QFETCH(double, mostHidden);
-        const QPoint at = placeBesideHead(dialog, {.window = window, .head = head, .screen = screen});
+        const QPoint at = positionBesideHead(dialog, {.window = window, .head = head, .screen = screen});
         const QRect inside = QRect(at, dialog) & screen;
         QCOMPARE(inside.topLeft(), at); // Its title can be reached.
         QCOMPARE(inside.size(), dialog.boundedTo(screen.size()));
@@ -69,7 +69,7 @@ private Q_SLOTS:
         QVERIFY2(area <= mostHidden * head.width() * head.height(), qPrintable(QString::number(area)));
     }
 
-    void aPlaceOnAScreenThatIsGoneIsTakenBackInside_data()
+    void aPositionOnAScreenThatIsGoneIsTakenBackInside_data()
     {
         QTest::addColumn<QPoint>("wanted");
         QTest::addColumn<QPoint>("at");
@@ -79,7 +79,7 @@ private Q_SLOTS:
         QTest::newRow("below it") << QPoint(100, 1200) << QPoint(100, 300);
         QTest::newRow("above it") << QPoint(100, -400) << QPoint(100, 0);
     }
-    void aPlaceOnAScreenThatIsGoneIsTakenBackInside()
+    void aPositionOnAScreenThatIsGoneIsTakenBackInside()
     {
         QFETCH(QPoint, wanted);
         QFETCH(QPoint, at);
@@ -115,7 +115,7 @@ private Q_SLOTS:
 
         // Closed where it opened, it leaves the choice to the program.
         light->close();
-        QVERIFY(!Settings().dialogPlace(QStringLiteral("hairpaint::view::LightDialog")));
+        QVERIFY(!Settings().dialogPosition(QStringLiteral("hairpaint::view::LightDialog")));
         QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<view::LightDialog*>() == nullptr, kPatienceMs);
         light = shown<view::LightDialog>("hair.lightDialog");
         QCOMPARE(light->pos(), first);
@@ -132,7 +132,7 @@ private Q_SLOTS:
         openWindow(model::newProject());
         QCOMPARE(shown<view::LightDialog>("hair.lightDialog")->pos(), wanted);
         m_window.reset();
-        Settings().setDialogPlace(QStringLiteral("hairpaint::view::LightDialog"), {9000, -5000});
+        Settings().setDialogPosition(QStringLiteral("hairpaint::view::LightDialog"), {9000, -5000});
         openWindow(model::newProject());
         light = shown<view::LightDialog>("hair.lightDialog");
         QVERIFY(m_window->screen()->availableGeometry().contains(light->geometry()));
@@ -141,5 +141,5 @@ private Q_SLOTS:
 
 } // namespace hairpaint::app
 
-HAIRPAINT_TEST(hairpaint::app::TestDialogPlaces, Widgets)
-#include "test_dialog_places.moc"
+HAIRPAINT_TEST(hairpaint::app::TestDialogPositions, Widgets)
+#include "test_dialog_positions.moc"

@@ -1,5 +1,5 @@
 // Told, tried, or fitted.
-#include "model/importing/curve_placing.h"
+#include "model/importing/curve_fit.h"
 
 #include "sim/base/parallel.h"
 
@@ -33,7 +33,7 @@ glm::mat3 quarterTurns(int count)
     return {{kCosines[i], 0.0F, -kSines[i]}, {0.0F, 1.0F, 0.0F}, {kSines[i], 0.0F, kCosines[i]}};
 }
 
-/// Tries placements of some of the roots.
+/// Tries transforms of some of the roots.
 class RootFit
 {
 public:
@@ -53,13 +53,13 @@ public:
     [[nodiscard]] bool empty() const { return m_roots.empty(); }
 
     /// Half of the roots are no further from the skin.
-    [[nodiscard]] float distanceM(const CurvePlacement& placement) const
+    [[nodiscard]] float distanceM(const CurveTransform& transform) const
     {
         std::vector<float> distances(m_roots.size());
         sim::parallelFor(m_roots.size(), 64, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                const glm::vec3 placeHd = placement.toHd(m_roots[i]);
-                distances[i] = glm::distance(m_skin.nearest(placeHd).positionHd, placeHd);
+                const glm::vec3 positionHd = transform.toHd(m_roots[i]);
+                distances[i] = glm::distance(m_skin.nearest(positionHd).positionHd, positionHd);
             }
         });
         const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
@@ -69,14 +69,14 @@ public:
 
     /// Scaled and moved until the roots lie as near to the skin as they come: each round brings them to the nearest
     /// points (iterative closest points, Besl and McKay 1992, with a scale).
-    [[nodiscard]] CurvePlacement fitted(const glm::mat3& rotation) const
+    [[nodiscard]] CurveTransform fitted(const glm::mat3& rotation) const
     {
-        CurvePlacement placement = roughly(rotation);
+        CurveTransform transform = roughly(rotation);
         std::vector<glm::vec3> nearest(m_roots.size());
         for (int round = 0; round < kFitRounds; ++round) {
             sim::parallelFor(m_roots.size(), 64, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i)
-                    nearest[i] = m_skin.nearest(placement.toHd(m_roots[i])).positionHd;
+                    nearest[i] = m_skin.nearest(transform.toHd(m_roots[i])).positionHd;
             });
             glm::vec3 middle(0.0F);
             glm::vec3 middleHd(0.0F);
@@ -87,21 +87,21 @@ public:
             float along = 0.0F;
             float square = 0.0F;
             for (std::size_t i = 0; i < m_roots.size(); ++i) {
-                const glm::vec3 way = rotation * m_roots[i] - middle;
-                along += glm::dot(way, nearest[i] - middleHd);
-                square += glm::dot(way, way);
+                const glm::vec3 offset = rotation * m_roots[i] - middle;
+                along += glm::dot(offset, nearest[i] - middleHd);
+                square += glm::dot(offset, offset);
             }
             if (!(along > 0.0F) || !(square > 0.0F))
                 break;
-            placement.scaleM = along / square;
-            placement.offsetHd = middleHd - middle * placement.scaleM;
+            transform.scaleM = along / square;
+            transform.offsetHd = middleHd - middle * transform.scaleM;
         }
-        return placement;
+        return transform;
     }
 
 private:
     /// The roots' box, as wide as a scalp, its top where the head's is.
-    [[nodiscard]] CurvePlacement roughly(const glm::mat3& rotation) const
+    [[nodiscard]] CurveTransform roughly(const glm::mat3& rotation) const
     {
         glm::vec3 least(std::numeric_limits<float>::max());
         glm::vec3 greatest(std::numeric_limits<float>::lowest());
@@ -117,11 +117,11 @@ private:
                 topM = positionHd.y;
                 top = positionHd;
             }
-        CurvePlacement placement{.rotation = rotation, .scaleM = kScalpWidthM / std::max(greatest.x - least.x, 1e-6F)};
+        CurveTransform transform{.rotation = rotation, .scaleM = kScalpWidthM / std::max(greatest.x - least.x, 1e-6F)};
         const glm::vec3 middle = 0.5F * (least + greatest);
-        placement.offsetHd =
-            glm::vec3(top.x, topM, top.z) - glm::vec3(middle.x, greatest.y, middle.z) * placement.scaleM;
-        return placement;
+        transform.offsetHd =
+            glm::vec3(top.x, topM, top.z) - glm::vec3(middle.x, greatest.y, middle.z) * transform.scaleM;
+        return transform;
     }
 
     const sim::Skin& m_skin;
@@ -130,8 +130,8 @@ private:
 
 } // namespace
 
-std::optional<CurvePlacement> placeCurves(const ForeignCurves& curves, const CurveSpaceChoice& choice,
-                                          const sim::Skin& skin)
+std::optional<CurveTransform> fitCurves(const ForeignCurves& curves, const CurveSpaceChoice& choice,
+                                        const sim::Skin& skin)
 {
     const RootFit fit(curves, skin);
     if (fit.empty())
@@ -144,12 +144,12 @@ std::optional<CurvePlacement> placeCurves(const ForeignCurves& curves, const Cur
         units = {*unit};
 
     float leastM = kOnSkinM;
-    std::optional<CurvePlacement> best;
-    const auto take = [&](const CurvePlacement& placement) {
-        const float distanceM = fit.distanceM(placement);
+    std::optional<CurveTransform> best;
+    const auto take = [&](const CurveTransform& transform) {
+        const float distanceM = fit.distanceM(transform);
         if (distanceM < leastM) {
             leastM = distanceM;
-            best = placement;
+            best = transform;
         }
     };
     for (const UpAxis up : axes)

@@ -1,0 +1,310 @@
+// The table of kinds of worn things.
+#include "model/bodies/ball_body.h"
+#include "model/bodies/ornament_bodies.h"
+#include "model/bodies/tie_bodies.h"
+#include "model/project/worn.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr std::array kTieMakes = {
+    WornMake{.id = "elastic", .title = QT_TRANSLATE_NOOP("Worn", "Elastic"), .sheen = 0.2F, .mesh = elasticBody},
+    WornMake{.id = "ribbon", .title = QT_TRANSLATE_NOOP("Worn", "Ribbon"), .sheen = 0.35F, .mesh = ribbonTieBody},
+    WornMake{.id = "cord", .title = QT_TRANSLATE_NOOP("Worn", "Cord"), .sheen = 0.1F, .mesh = cordBody},
+    WornMake{.id = "ring", .title = QT_TRANSLATE_NOOP("Worn", "Metal ring"), .sheen = 1.0F, .mesh = metalRingBody},
+};
+
+constexpr std::array kWornSpecs = {
+    WornSpec{.kind = WornKind::Ellipsoid,
+             .id = "ellipsoid",
+             .ownArray = "ellipsoids",
+             .title = QT_TRANSLATE_NOOP("Worn", "Collider"),
+             .action = "Collider",
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "Add &collider here"),
+             .addHint =
+                 QT_TRANSLATE_NOOP("Worn", "An ellipsoid where the pointer was last on the head, which hair does "
+                                           "not enter; %1 at most"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Remove c&ollider"),
+             .addStep = QT_TRANSLATE_NOOP("Worn", "Add collider"),
+             .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove collider"),
+             .moveStep = QT_TRANSLATE_NOOP("Worn", "Move collider"),
+             .sizeStep = QT_TRANSLATE_NOOP("Worn", "Size collider"),
+             .lookStep = nullptr,
+             .limit = 32,
+             .radiusM = 0.03F,
+             .liftRadii = -0.5F, // Half in the head.
+             .colour = 0,
+             .sheen = 0.0F,
+             .leastRadiusM = 0.005F,
+             .greatestRadiusM = 0.5F,
+             .handles = WornHandles::Axes,
+             .ofHead = true,
+             .collides = true,
+             .mesh = nullptr},
+    WornSpec{.kind = WornKind::Ball,
+             .id = "ball",
+             .ownArray = nullptr,
+             .title = QT_TRANSLATE_NOOP("Worn", "Ball"),
+             .action = "Ball",
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "Pu&t a ball here"),
+             .addHint = QT_TRANSLATE_NOOP("Worn", "A bead where the pointer was last on the head, which hair does not "
+                                                  "enter; %1 at most"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the ball o&ff"),
+             .addStep = QT_TRANSLATE_NOOP("Worn", "Add ball"),
+             .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove ball"),
+             .moveStep = QT_TRANSLATE_NOOP("Worn", "Move ball"),
+             .sizeStep = QT_TRANSLATE_NOOP("Worn", "Size ball"),
+             .lookStep = QT_TRANSLATE_NOOP("Worn", "Change look of ball"),
+             .limit = 32,
+             .radiusM = 0.01F,
+             .liftRadii = 1.0F, // Touches the skin.
+             .colour = 0xFFC8402E,
+             .sheen = 1.0F,
+             .leastRadiusM = 0.002F,
+             .greatestRadiusM = 0.1F,
+             .handles = WornHandles::Radius,
+             .ofHead = false,
+             .collides = true,
+             .mesh = ballBody},
+    WornSpec{.kind = WornKind::Ponytail,
+             .id = "ponytail",
+             .ownArray = nullptr,
+             .title = QT_TRANSLATE_NOOP("Worn", "Ponytail"),
+             .action = "Ponytail",
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "Po&nytail here"),
+             .addHint = QT_TRANSLATE_NOOP("Worn", "Gathers the active group's hair, inside the selection if there is "
+                                                  "one, where the pointer was last on the head; %1 at most"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Undo the ponytail"),
+             .addStep = QT_TRANSLATE_NOOP("Worn", "Add ponytail"),
+             .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove ponytail"),
+             .moveStep = QT_TRANSLATE_NOOP("Worn", "Move ponytail"),
+             .sizeStep = QT_TRANSLATE_NOOP("Worn", "Size ponytail"),
+             .lookStep = QT_TRANSLATE_NOOP("Worn", "Change look of ponytail"),
+             .limit = 16,
+             .radiusM = 0.013F,
+             .liftRadii = 0.7F,
+             .colour = 0xFF3A2A5C,
+             .sheen = 0.2F,
+             .leastRadiusM = 0.004F,
+             .greatestRadiusM = 0.04F,
+             .handles = WornHandles::Radius,
+             .ofHead = false,
+             .collides = false,
+             .mesh = elasticBody,
+             .makes = kTieMakes,
+             .sizeTitle = QT_TRANSLATE_NOOP("Worn", "Tie radius"),
+             .stands = true,
+             .tie = sim::TieForm::Tail,
+             .reach = kTieReach,
+             .tieHole = kTieHole,
+             .patchStep = QT_TRANSLATE_NOOP("Worn", "Gather hair into a ponytail")},
+    WornSpec{.kind = WornKind::Bun,
+             .id = "bun",
+             .ownArray = nullptr,
+             .title = QT_TRANSLATE_NOOP("Worn", "Bun"),
+             .action = "Bun",
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "Bu&n here"),
+             .addHint = QT_TRANSLATE_NOOP("Worn", "Winds the active group's hair up, inside the selection if there is "
+                                                  "one, where the pointer was last on the head; %1 at most"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Undo the bun"),
+             .addStep = QT_TRANSLATE_NOOP("Worn", "Add bun"),
+             .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove bun"),
+             .moveStep = QT_TRANSLATE_NOOP("Worn", "Move bun"),
+             .sizeStep = QT_TRANSLATE_NOOP("Worn", "Size bun"),
+             .lookStep = QT_TRANSLATE_NOOP("Worn", "Change look of bun"),
+             .limit = 16,
+             .radiusM = 0.013F,
+             .liftRadii = 0.7F,
+             .colour = 0xFF3A2A5C,
+             .sheen = 0.2F,
+             .leastRadiusM = 0.004F,
+             .greatestRadiusM = 0.04F,
+             .handles = WornHandles::Radius,
+             .ofHead = false,
+             .collides = false,
+             .mesh = elasticBody,
+             .makes = kTieMakes,
+             .sizeTitle = QT_TRANSLATE_NOOP("Worn", "Tie radius"),
+             .stands = true,
+             .tie = sim::TieForm::Bun,
+             .reach = kTieReach,
+             .tieHole = kTieHole,
+             .coilRadiusM = 0.035F,
+             .patchStep = QT_TRANSLATE_NOOP("Worn", "Wind hair into a bun")},
+    WornSpec{.kind = WornKind::Headband,
+             .id = "headband",
+             .ownArray = nullptr,
+             .title = QT_TRANSLATE_NOOP("Worn", "Headband"),
+             .action = "Headband",
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "&Headband here"),
+             .addHint = QT_TRANSLATE_NOOP("Worn", "A band over the head where the pointer was last on it; %1 at most"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the headband off"),
+             .addStep = QT_TRANSLATE_NOOP("Worn", "Add headband"),
+             .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove headband"),
+             .moveStep = QT_TRANSLATE_NOOP("Worn", "Move headband"),
+             .sizeStep = QT_TRANSLATE_NOOP("Worn", "Size headband"),
+             .lookStep = QT_TRANSLATE_NOOP("Worn", "Change look of headband"),
+             .limit = 8,
+             .radiusM = 0.1F,
+             .liftRadii = -1.0F,
+             .colour = 0xFF1F4E79,
+             .sheen = 0.3F,
+             .leastRadiusM = 0.002F,
+             .greatestRadiusM = 0.2F,
+             .handles = WornHandles::Axes,
+             .ofHead = false,
+             .collides = false,
+             .mesh = looseHeadbandBody,
+             .fitted = headbandBody,
+             .proportions = {1.0F, 0.11F, 1.0F},
+             .sizedAxis = 1,
+             .sizeTitle = QT_TRANSLATE_NOOP("Worn", "Half width"),
+             .stands = true,
+             .reach = 1.6F},
+    WornSpec{.kind = WornKind::Bow,
+             .id = "bow",
+             .ownArray = nullptr,
+             .title = QT_TRANSLATE_NOOP("Worn", "Ribbon bow"),
+             .action = "Bow",
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "Ribbon bo&w here"),
+             .addHint = QT_TRANSLATE_NOOP("Worn", "A bow where the pointer was last on the head; %1 at most"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the bow off"),
+             .addStep = QT_TRANSLATE_NOOP("Worn", "Add ribbon bow"),
+             .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove ribbon bow"),
+             .moveStep = QT_TRANSLATE_NOOP("Worn", "Move ribbon bow"),
+             .sizeStep = QT_TRANSLATE_NOOP("Worn", "Size ribbon bow"),
+             .lookStep = QT_TRANSLATE_NOOP("Worn", "Change look of ribbon bow"),
+             .limit = 16,
+             .radiusM = 0.04F,
+             .liftRadii = 0.1F,
+             .colour = 0xFFC2185B,
+             .sheen = 0.35F,
+             .leastRadiusM = 0.005F,
+             .greatestRadiusM = 0.15F,
+             .handles = WornHandles::Radius,
+             .ofHead = false,
+             .collides = false,
+             .mesh = bowBody,
+             .proportions = kBowProportions,
+             .stands = true},
+    WornSpec{.kind = WornKind::Hairpin,
+             .id = "hairpin",
+             .ownArray = nullptr,
+             .title = QT_TRANSLATE_NOOP("Worn", "Hairpin"),
+             .action = "Hairpin",
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "Hair&pin here"),
+             .addHint = QT_TRANSLATE_NOOP("Worn", "A bent wire where the pointer was last on the head; %1 at most"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the hairpin out"),
+             .addStep = QT_TRANSLATE_NOOP("Worn", "Add hairpin"),
+             .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove hairpin"),
+             .moveStep = QT_TRANSLATE_NOOP("Worn", "Move hairpin"),
+             .sizeStep = QT_TRANSLATE_NOOP("Worn", "Size hairpin"),
+             .lookStep = QT_TRANSLATE_NOOP("Worn", "Change look of hairpin"),
+             .limit = 64,
+             .radiusM = 0.03F,
+             .liftRadii = 0.2F,
+             .colour = 0xFF8C8C94,
+             .sheen = 1.0F,
+             .leastRadiusM = 0.005F,
+             .greatestRadiusM = 0.1F,
+             .handles = WornHandles::Radius,
+             .ofHead = false,
+             .collides = false,
+             .mesh = hairpinBody,
+             .proportions = kHairpinProportions,
+             .sizeTitle = QT_TRANSLATE_NOOP("Worn", "Half length"),
+             .stands = true},
+    WornSpec{.kind = WornKind::Flower,
+             .id = "flower",
+             .ownArray = nullptr,
+             .title = QT_TRANSLATE_NOOP("Worn", "Flower"),
+             .action = "Flower",
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "Flo&wer here"),
+             .addHint = QT_TRANSLATE_NOOP("Worn", "A blossom where the pointer was last on the head; %1 at most"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the flower off"),
+             .addStep = QT_TRANSLATE_NOOP("Worn", "Add flower"),
+             .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove flower"),
+             .moveStep = QT_TRANSLATE_NOOP("Worn", "Move flower"),
+             .sizeStep = QT_TRANSLATE_NOOP("Worn", "Size flower"),
+             .lookStep = QT_TRANSLATE_NOOP("Worn", "Change look of flower"),
+             .limit = 32,
+             .radiusM = 0.03F,
+             .liftRadii = 0.15F,
+             .colour = 0xFFF4C2C8,
+             .sheen = 0.15F,
+             .leastRadiusM = 0.004F,
+             .greatestRadiusM = 0.15F,
+             .handles = WornHandles::Radius,
+             .ofHead = false,
+             .collides = false,
+             .mesh = flowerBody,
+             .proportions = kFlowerProportions,
+             .stands = true},
+    WornSpec{.kind = WornKind::Comb,
+             .id = "comb",
+             .ownArray = nullptr,
+             .title = QT_TRANSLATE_NOOP("Worn", "Comb"),
+             .action = "Comb",
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "&Comb here"),
+             .addHint = QT_TRANSLATE_NOOP("Worn", "A comb where the pointer was last on the head; %1 at most"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the comb out"),
+             .addStep = QT_TRANSLATE_NOOP("Worn", "Add comb"),
+             .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove comb"),
+             .moveStep = QT_TRANSLATE_NOOP("Worn", "Move comb"),
+             .sizeStep = QT_TRANSLATE_NOOP("Worn", "Size comb"),
+             .lookStep = QT_TRANSLATE_NOOP("Worn", "Change look of comb"),
+             .limit = 16,
+             .radiusM = 0.035F,
+             .liftRadii = 0.05F,
+             .colour = 0xFF6B3E1F,
+             .sheen = 0.7F,
+             .leastRadiusM = 0.005F,
+             .greatestRadiusM = 0.1F,
+             .handles = WornHandles::Radius,
+             .ofHead = false,
+             .collides = false,
+             .mesh = combBody,
+             .proportions = kCombProportions,
+             .sizeTitle = QT_TRANSLATE_NOOP("Worn", "Half width"),
+             .stands = true},
+};
+
+} // namespace
+
+std::span<const WornSpec> wornSpecs()
+{
+    return kWornSpecs;
+}
+
+const WornSpec& wornSpec(WornKind kind)
+{
+    return kWornSpecs.at(static_cast<std::size_t>(kind));
+}
+
+const WornSpec* findWornSpec(const QString& id)
+{
+    const auto found =
+        std::ranges::find_if(kWornSpecs, [&id](const WornSpec& spec) { return id == QLatin1StringView(spec.id); });
+    return found != kWornSpecs.end() ? &*found : nullptr;
+}
+
+const WornSpec* wornOfPalette(int index)
+{
+    const std::span<const PaletteEntry> palette = mapSpec(MapKind::Accessory).palette;
+    return index > 0 && static_cast<std::size_t>(index) < palette.size()
+               ? findWornSpec(QLatin1StringView(palette[static_cast<std::size_t>(index)].id))
+               : nullptr;
+}
+
+QString wornText(const char* text)
+{
+    return QCoreApplication::translate("Worn", text);
+}
+
+} // namespace hairpaint::model
