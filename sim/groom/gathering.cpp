@@ -164,11 +164,15 @@ void Gathering::findBasis()
     for (const std::unique_ptr<TieState>& tie : m_ties) {
         if (tie->basis.empty())
             borrowBasis(*tie);
-        tie->core = kNoCentre;
+        const std::uint32_t coreBefore = std::exchange(tie->core, kNoCentre);
         for (const std::uint32_t basis : tie->basis)
             if (tie->core == kNoCentre ||
                 roots.rankOfSlot[roots.basisSlot[basis]] < roots.rankOfSlot[roots.basisSlot[tie->core]])
                 tie->core = basis;
+        if (coreBefore != tie->core) {
+            tie->formerCore = coreBefore;
+            tie->isOtherCore = true;
+        }
     }
     for (std::size_t basis = 0; basis < before.size(); ++basis)
         m_moved[basis] = before[basis] != m_numberOfBasis[basis] ? 1 : 0;
@@ -236,6 +240,16 @@ Followed Gathering::followedBy(std::uint32_t slot) const
     return followed;
 }
 
+/// Whether it may follow others than before: one that follows none of its nearest does as the whole tie's change.
+bool Gathering::isConcerned(std::uint32_t slot, const SlotSet& dirty) const
+{
+    const Followed& followed = m_followed[slot];
+    const auto& nearest = m_roots->neighbours[slot];
+    return dirty.contains(slot) || !(followed.weights[0] > 0.0F) ||
+           std::ranges::find(nearest, followed.basis[0]) == nearest.end() ||
+           std::ranges::any_of(nearest, [&](std::uint32_t basis) { return m_moved[basis] != 0; });
+}
+
 void Gathering::findFollowed(SlotSet& dirty)
 {
     if (!m_otherNumbers && !m_anyMoved)
@@ -244,6 +258,8 @@ void Gathering::findFollowed(SlotSet& dirty)
         const std::size_t last = std::min(end * kChunkSlots, m_numbers.size());
         for (std::size_t i = begin * kChunkSlots; i < last; ++i) {
             const auto slot = static_cast<std::uint32_t>(i);
+            if (m_numbers[slot] == 0 ? m_followed[slot] == Followed{} : !isConcerned(slot, dirty))
+                continue;
             const Followed followed = m_numbers[slot] == 0 ? Followed{} : followedBy(slot);
             if (followed == m_followed[slot])
                 continue;
@@ -292,7 +308,8 @@ void Gathering::updateBasis(const BasisInputs& inputs, const SlotSet& dirtyBasis
             if (tie->tie.form == TieForm::Tail)
                 insertLane(next->wanted, basis);
             if (tie->isNew || !hasLane(before.wanted, basis) || dirtyBasis.contains(roots.basisSlot[basis]) ||
-                dirty.contains(roots.basisSlot[basis]) || m_otherNumbers || m_anyMoved)
+                dirty.contains(roots.basisSlot[basis]) || m_moved[basis] != 0 ||
+                (tie->isOtherCore && (basis == tie->core || basis == tie->formerCore)))
                 wanted.emplace_back(tie.get(), basis);
         }
     parallelFor(wanted.size(), kTailsAtOnce, [&](std::size_t begin, std::size_t end) {
@@ -339,6 +356,8 @@ void Gathering::updateBasis(const BasisInputs& inputs, const SlotSet& dirtyBasis
             numbers[basis] = 0.0F;
         blocks.write(next->restPositions, basis, std::span(nothing).first(tailNodes));
     }
+    for (const std::unique_ptr<TieState>& tie : m_ties)
+        tie->isOtherCore = false;
     m_basis = next;
     findClumped(inputs, dirty);
 }
@@ -413,7 +432,7 @@ std::shared_ptr<const StrandChunk> tailsOf(const StrandChunk& chunk, int nodes)
 
 void Gathering::makeTails(const Groom* before, Groom& groom) const
 {
-    if (isOff()) {
+    if (isOff() || !m_basis) {
         groom.tails = nullptr;
         return;
     }
@@ -448,6 +467,10 @@ void Gathering::makeTails(const Groom* before, Groom& groom) const
             continue;
         tails->packedChunk[i] = tails->packedChunks++;
         tails->hairCount += tails->chunks[i]->hairs.count();
+    }
+    if (tails->packedChunks == 0) {
+        groom.tails = nullptr; // Nothing hangs.
+        return;
     }
     tails->drawnCount = tails->hairCount;
     for (const std::uint32_t lanes : m_basis->wanted)

@@ -67,8 +67,10 @@ public:
         GatheredLay lay; ///< Of them.
         std::vector<std::uint32_t> basis;
         std::uint32_t core = kNoCentre; ///< The basis hair through the middle of the ring, which braids follow.
-        float coreFreeM = 0.0F;         ///< Its length from there on.
-        bool isNew = true;              ///< In this update.
+        std::uint32_t formerCore = kNoCentre;
+        bool isOtherCore = false; ///< Since the tails' solved hairs were last laid.
+        float coreFreeM = 0.0F;   ///< Its length from there on.
+        bool isNew = true;        ///< In this update.
     };
     [[nodiscard]] const TieState& tieOf(std::uint16_t number) const;
 
@@ -77,6 +79,7 @@ private:
     void readNumbers(const Inputs& inputs, MapChanges& changes, SlotSet& dirty);
     void findBasis();
     void borrowBasis(TieState& tie);
+    [[nodiscard]] bool isConcerned(std::uint32_t slot, const SlotSet& dirty) const;
     void findFollowed(SlotSet& dirty);
     [[nodiscard]] Followed followedBy(std::uint32_t slot) const;
     void prepareStrings(const SlotSet& dirty);

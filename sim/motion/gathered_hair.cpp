@@ -6,6 +6,8 @@
 #include "sim/motion/group_dynamics.h"
 #include "sim/motion/head_motion.h"
 
+#include <algorithm>
+
 namespace hairpaint::sim {
 
 namespace {
@@ -76,22 +78,24 @@ void GatheredHair::setGroom(const Groom& groom, const ColliderSet& colliders, co
 
 void GatheredHair::write(GroupFrame& frame, float fraction, const HeadPose& pose, const Neck& neck) const
 {
-    if (!m_tails)
-        return;
-    m_frame.detail = frame.detail;
-    m_tails->write(m_frame, fraction, pose, neck);
     const Groom& groom = *frame.groom;
-    const Groom& tails = *groom.tails;
+    const auto isGathered = [](const auto& chunk) { return chunk && chunk->gathered.any(); };
+    if (std::ranges::none_of(groom.chunks, isGathered))
+        return;
+    if (m_tails) {
+        m_frame.detail = frame.detail;
+        m_tails->write(m_frame, fraction, pose, neck);
+    }
     const RigidMotion world = worldOfHead(pose);
     const std::size_t blockFloats = groom.blocks().blockFloats();
-    const std::size_t tailFloats = tails.blocks().blockFloats();
+    const std::size_t tailFloats = m_tails ? groom.tails->blocks().blockFloats() : 0;
     parallelFor(groom.chunks.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t index = begin; index < end; ++index) {
             const StrandChunk* chunk = groom.chunks[index].get();
-            if (chunk == nullptr || groom.packedChunk[index] < 0 || chunk->gathered.none())
+            if (groom.packedChunk[index] < 0 || !isGathered(groom.chunks[index]))
                 continue;
             const auto first = static_cast<std::size_t>(groom.packedChunk[index]) * kBlocksPerChunk;
-            const std::int32_t packed = tails.packedChunk[index];
+            const std::int32_t packed = m_tails ? groom.tails->packedChunk[index] : -1;
             const float* const ofTails =
                 packed < 0 ? nullptr
                            : m_frame.positions.data() + static_cast<std::size_t>(packed) * kBlocksPerChunk * tailFloats;

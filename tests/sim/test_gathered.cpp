@@ -489,6 +489,19 @@ private Q_SLOTS:
         }
     }
 
+    void aTieThatNoRootReadsIsNone()
+    {
+        GroomInput input = tiedBall();
+        const std::vector<Tie> ties = input.groups.front().ties;
+        input.groups.front().ties.clear();
+        GroomBuilder builder;
+        (void)builder.update(input);
+        input.groups.front().ties = {tieAt(9, {0.0F, 1.0F, 0.0F})};
+        QVERIFY(builder.update(input).grooms.front()->tails == nullptr);
+        input.groups.front().ties = ties;
+        QVERIFY(builder.update(input).grooms.front()->tails != nullptr);
+    }
+
     void aDraggedTieTakesItsTailAlong()
     {
         GroomInput input = tiedBall();
