@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kNoString = 0xFFFFFFFFU;
 constexpr std::size_t kCoarse = 3;           ///< Spans of a string at first; they are halved twice.
-constexpr std::array kPulls = {6, 4, 4};     ///< Then so often.
+constexpr std::array kPulls = {5, 4, 3};     ///< Then so often.
 constexpr float kStringClearanceM = 0.0005F; ///< Of the string from the skin.
 constexpr float kLeastHeadM = 0.03F;         ///< Distance of the middle of the head from the end,
 constexpr float kMostHeadM = 0.12F;          ///< within.
