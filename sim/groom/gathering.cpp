@@ -325,9 +325,8 @@ void Gathering::updateBasis(const BasisInputs& inputs, const SlotSet& dirtyBasis
             const bool isCore = basis == tie.core;
             const GatheredLay::Course course =
                 tie.lay.courseOf(roots.face[slot], roots.positionHd[slot], chance.coatHeight, isCore);
-            const float curl = inputs.maps[MapSlot::Curl].scalar(roots.uv[slot]);
-            const float curlSize = inputs.maps[MapSlot::CurlSize].scalar(roots.uv[slot]);
-            const float seen = curl > 0.0F ? seenOverCut(inputs.settings, curl, curlSize) : 1.0F;
+            const RootValues values = valuesAt(inputs.maps, roots.uv[slot]);
+            const float seen = values.curl > 0.0F ? seenOverCut(inputs.settings, values.curl, values.curlSize) : 1.0F;
             const float cutM = inputs.basisLengthM[basis] / seen;
             const float tautM = tie.lay.layTaut(course, cutM, nodes);
             const float freeM = std::max((cutM - tautM) * seen, kShortestSolvedTailM);
@@ -337,10 +336,11 @@ void Gathering::updateBasis(const BasisInputs& inputs, const SlotSet& dirtyBasis
             blocks.read(before.restPositions, basis, tailBefore);
             m_relaid[basis] = std::ranges::equal(tail, tailBefore) ? 0 : 1;
             blocks.write(next->restPositions, basis, tail);
-            const Coil coil = curl > 0.0F ? coilOf(inputs.settings, curl, curlSize, freeM) : Coil{};
+            const Coil coil =
+                values.curl > 0.0F ? coilOf(inputs.settings, values.curl, values.curlSize, freeM) : Coil{};
             (*next)[BasisQuantity::SegmentLength][basis] = solvedM / static_cast<float>(tail.size() - 1);
             (*next)[BasisQuantity::Gel][basis] = inputs.maps[MapSlot::Gel].scalar(roots.uv[slot]);
-            (*next)[BasisQuantity::Give][basis] = curl > 0.0F ? giveOf(coil, freeM) : 0.0F;
+            (*next)[BasisQuantity::Give][basis] = values.curl > 0.0F ? giveOf(coil, freeM) : 0.0F;
             (*next)[BasisQuantity::Girth][basis] =
                 isCore ? braidGirthM(inputs.settings, static_cast<BraidKind>(inputs.kinds[slot]), freeM) : 0.0F;
             (*next)[BasisQuantity::Height][basis] = chance.coatHeight;
