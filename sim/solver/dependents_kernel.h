@@ -43,7 +43,7 @@ struct DependentsTask
                                                               ///< unless it is 1.
     const ColliderSet* colliders = nullptr;
     bool beginsInAir = false; ///< See GroupGains.
-    RigidMotion world; ///< From the head's frame.
+    RigidMotion world;        ///< From the head's frame.
     NeckTurn neck;
     float* out = nullptr; ///< As `rest`; zeros where nothing is drawn.
 };
