@@ -3,6 +3,8 @@
 
 #include "sim/groom/braid_path.h"
 #include "sim/groom/clump_kernel.h"
+#include "sim/groom/gathered_writer.h"
+#include "sim/groom/gathering.h"
 #include "sim/groom/rest_shape.h"
 #include "sim/groom/strand_style.h"
 
@@ -28,7 +30,8 @@ public:
           m_firstSlot(static_cast<std::uint32_t>(chunkIndex * kChunkSlots)), m_blocks(inputs.settings.nodesPerHair),
           m_nodes(static_cast<std::size_t>(inputs.settings.nodesPerHair)),
           m_lay(inputs.lay, inputs.settings.nodesPerHair), m_look(inputs.settings, inputs.maps),
-          m_varies(!inputs.hairline.isOff() || inputs.settings.variation != VariationSettings{})
+          m_varies(!inputs.hairline.isOff() || inputs.settings.variation != VariationSettings{}),
+          m_gathered(inputs, chunkIndex, chunk)
     {}
 
     void write(std::uint32_t slot, float density)
@@ -46,6 +49,11 @@ public:
         const bool isDrawn = style.lengthM >= kShortestDrawnM;
         if (!isDrawn)
             style.detail = StrandStyle{}.detail;
+        if (isDrawn && m_inputs.gathering.numberOf(slot) != 0 && hair.own.babyM == 0.0F) {
+            m_passed.put(slot, {});
+            m_gathered.write(slot, chance, values, hair.own, style);
+            return;
+        }
         if (isDrawn && m_inputs.kinds[slot] != 0 && hair.own.babyM == 0.0F) {
             const std::uint32_t centre = m_inputs.braids.centreOf(roots, slot, m_inputs.kinds[slot]);
             if (centre != kNoCentre)
@@ -58,6 +66,12 @@ public:
         ++m_waiting;
         if (m_lay.isFull())
             finish();
+    }
+
+    void finishAll()
+    {
+        finish();
+        m_gathered.finish();
     }
 
     void finish()
@@ -252,6 +266,10 @@ private:
     {
         const std::size_t local = slot - m_firstSlot;
         m_chunk.hairs.set(local);
+        m_chunk.gathered.reset(local);
+        m_chunk.tailed.reset(local);
+        if (!m_chunk.followed.empty())
+            m_chunk.followed[local] = {};
         m_chunk.drawn.set(local, style.lengthM >= kShortestDrawnM);
         m_chunk.styles[local] = style;
         m_chunk.clump[local] = followed.clump;
@@ -288,6 +306,7 @@ private:
     std::array<glm::vec3, kMostNodes> m_buffer{};
     ClumpTask m_clump; ///< Of the hairs that m_lay holds; no clump between batches.
     std::array<float, std::size_t{kMostNodes} * StrandBlocks::kNodeStride> m_basisHd{};
+    GatheredWriter m_gathered;
 };
 
 std::shared_ptr<StrandChunk> emptyChunk(int nodes, bool hasLocks)
@@ -365,8 +384,10 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
         else if (chunk->hairs[local])
             writer.clear(slot);
     });
-    writer.finish();
+    writer.finishAll();
     findLeastDetails(*chunk);
+    if (chunk->gathered.none())
+        chunk->followed.clear();
     return chunk;
 }
 

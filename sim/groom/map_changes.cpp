@@ -105,4 +105,15 @@ void MapChanges::find(const GroupMaps& before, const GroupMaps& after, ChangedSl
     }
 }
 
+void MapChanges::findNearest(const TiledRaster& before, const TiledRaster& after,
+                             const std::function<void(std::uint32_t)>& changed)
+{
+    const auto differs = [&](std::uint32_t slot) {
+        return before.sampleNearest(m_roots->uv[slot]) != after.sampleNearest(m_roots->uv[slot]);
+    };
+    SlotSet slots(m_roots->count());
+    visitChanged(before, after, differs, [&](std::uint32_t slot) { slots.insert(slot); });
+    slots.forEach(changed);
+}
+
 } // namespace hairpaint::sim

@@ -60,6 +60,8 @@ private:
     /// lies to another side, counts less, and the nearest counts the more the closer the hair clumps to it. Where all
     /// of the nearest lie to another side, as beside a parting, it follows one next to them that does not.
     void follow(const Groom& groom, std::size_t index, std::size_t slot);
+    /// Makes a hair follow those that the groom says.
+    void followGiven(const Groom& groom, std::size_t index, std::size_t slot);
     /// Makes a hair follow the basis hair that leads its lock as closely as it clumps.
     void followLock(const Groom& groom, std::size_t index, std::size_t slot, float clump);
     /// The basis hair whose lock it is in; the nearest where locks have no others.

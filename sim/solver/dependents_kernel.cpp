@@ -141,7 +141,7 @@ HWY_INLINE void positionStrands(const DependentsTask& task, const float* HWY_RES
         // Again out of the skin, since restoring the length may lead back in.
         for (int pass = 0; pass < (task.colliders->skin.pairs != nullptr ? 2 : 1); ++pass) {
             Contact contact = noContact();
-            if (!collide(task, lanes, i == 1, parent, p, contact))
+            if (!collide(task, lanes, i == 1 && !task.beginsInAir, parent, p, contact))
                 break;
             p = select(contact.touched, atLength(parent, p, stretched, styled - parentRest), p);
         }

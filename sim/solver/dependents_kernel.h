@@ -42,7 +42,8 @@ struct DependentsTask
     float detail = 1.0F;                                      ///< Blocks without a hair below are left as they are,
                                                               ///< unless it is 1.
     const ColliderSet* colliders = nullptr;
-    RigidMotion world; ///< From the head's frame.
+    bool beginsInAir = false; ///< See GroupGains.
+    RigidMotion world;        ///< From the head's frame.
     NeckTurn neck;
     float* out = nullptr; ///< As `rest`; zeros where nothing is drawn.
 };

@@ -86,8 +86,9 @@ HWY_INLINE Lanes3 projectNode(const GroupGains& gains, const ColliderSet& collid
     const std::size_t offset = static_cast<std::size_t>(node) * StrandBlocks::kNodeStride;
     const Lanes3 start = loaded3(rows.current + offset);
     const Lanes3 lie = loaded3(rows.lanes + kLieX * kLanes);
-    const Obstacles obstacles{colliders, step.neck, rows.lanes, clearanceOf(rows.lanes, length, node),
-                              node == 1, parent};
+    const Obstacles obstacles{
+        colliders, step.neck, rows.lanes, clearanceOf(rows.lanes, length, node), node == 1 && !gains.beginsInAir,
+        parent};
     const Lanes3 headed = loaded3(rows.p + offset);
     Lanes3 p = atLength(parent, headed, length, lie);
     if (rows.recoils && node > 1)
