@@ -3217,16 +3217,8 @@
         <translation>Coleta</translation>
     </message>
     <message>
-        <source>Po&amp;nytail here</source>
-        <translation>&amp;Coleta aquí</translation>
-    </message>
-    <message>
         <source>Gathers the active group&apos;s hair, inside the selection if there is one, where the pointer was last on the head; %1 at most</source>
         <translation>Recoge el pelo del grupo activo, dentro de la selección si la hay, donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
-    </message>
-    <message>
-        <source>Undo the ponytail</source>
-        <translation>S&amp;oltar la coleta</translation>
     </message>
     <message>
         <source>Add ponytail</source>
@@ -3261,16 +3253,8 @@
         <translation>Moño</translation>
     </message>
     <message>
-        <source>Bu&amp;n here</source>
-        <translation>&amp;Moño aquí</translation>
-    </message>
-    <message>
         <source>Winds the active group&apos;s hair up, inside the selection if there is one, where the pointer was last on the head; %1 at most</source>
         <translation>Enrolla el pelo del grupo activo, dentro de la selección si la hay, donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
-    </message>
-    <message>
-        <source>Undo the bun</source>
-        <translation>S&amp;oltar el moño</translation>
     </message>
     <message>
         <source>Add bun</source>
@@ -3309,10 +3293,6 @@
         <translation>Una banda sobre la cabeza donde estuvo el puntero por última vez; %1 como máximo</translation>
     </message>
     <message>
-        <source>Take the headband off</source>
-        <translation>Quitar la diadema</translation>
-    </message>
-    <message>
         <source>Add headband</source>
         <translation>Añadir diadema</translation>
     </message>
@@ -3341,16 +3321,8 @@
         <translation>Lazo</translation>
     </message>
     <message>
-        <source>Ribbon bo&amp;w here</source>
-        <translation>&amp;Lazo aquí</translation>
-    </message>
-    <message>
         <source>A bow where the pointer was last on the head; %1 at most</source>
         <translation>Un lazo donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
-    </message>
-    <message>
-        <source>Take the bow off</source>
-        <translation>Quitar el lazo</translation>
     </message>
     <message>
         <source>Add ribbon bow</source>
@@ -3377,16 +3349,8 @@
         <translation>Horquilla</translation>
     </message>
     <message>
-        <source>Hair&amp;pin here</source>
-        <translation>&amp;Horquilla aquí</translation>
-    </message>
-    <message>
         <source>A bent wire where the pointer was last on the head; %1 at most</source>
         <translation>Un alambre doblado donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
-    </message>
-    <message>
-        <source>Take the hairpin out</source>
-        <translation>Quitar la horquilla</translation>
     </message>
     <message>
         <source>Add hairpin</source>
@@ -3417,16 +3381,8 @@
         <translation>Flor</translation>
     </message>
     <message>
-        <source>Flo&amp;wer here</source>
-        <translation>&amp;Flor aquí</translation>
-    </message>
-    <message>
         <source>A blossom where the pointer was last on the head; %1 at most</source>
         <translation>Una flor donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
-    </message>
-    <message>
-        <source>Take the flower off</source>
-        <translation>Quitar la flor</translation>
     </message>
     <message>
         <source>Add flower</source>
@@ -3453,16 +3409,8 @@
         <translation>Peineta</translation>
     </message>
     <message>
-        <source>&amp;Comb here</source>
-        <translation>&amp;Peineta aquí</translation>
-    </message>
-    <message>
         <source>A comb where the pointer was last on the head; %1 at most</source>
         <translation>Una peineta donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
-    </message>
-    <message>
-        <source>Take the comb out</source>
-        <translation>Quitar la peineta</translation>
     </message>
     <message>
         <source>Add comb</source>
@@ -3483,6 +3431,62 @@
     <message>
         <source>Change look of comb</source>
         <translation>Cambiar el aspecto de la peineta</translation>
+    </message>
+    <message>
+        <source>&amp;Ponytail here</source>
+        <translation>&amp;Coleta aquí</translation>
+    </message>
+    <message>
+        <source>Take the tie o&amp;ff</source>
+        <translation>Q&amp;uitar el coletero</translation>
+    </message>
+    <message>
+        <source>&amp;Bun here</source>
+        <translation>&amp;Moño aquí</translation>
+    </message>
+    <message>
+        <source>Take the bun&apos;s tie o&amp;ff</source>
+        <translation>Q&amp;uitar el coletero del moño</translation>
+    </message>
+    <message>
+        <source>Take the headband o&amp;ff</source>
+        <translation>Q&amp;uitar la diadema</translation>
+    </message>
+    <message>
+        <source>&amp;Ribbon bow here</source>
+        <translation>&amp;Lazo aquí</translation>
+    </message>
+    <message>
+        <source>Take the bow o&amp;ff</source>
+        <translation>Q&amp;uitar el lazo</translation>
+    </message>
+    <message>
+        <source>Hairp&amp;in here</source>
+        <translation>&amp;Horquilla aquí</translation>
+    </message>
+    <message>
+        <source>Take the hairpin o&amp;ff</source>
+        <translation>Q&amp;uitar la horquilla</translation>
+    </message>
+    <message>
+        <source>&amp;Flower here</source>
+        <translation>&amp;Flor aquí</translation>
+    </message>
+    <message>
+        <source>Take the flower o&amp;ff</source>
+        <translation>Q&amp;uitar la flor</translation>
+    </message>
+    <message>
+        <source>C&amp;omb here</source>
+        <translation>&amp;Peineta aquí</translation>
+    </message>
+    <message>
+        <source>Take the comb o&amp;ff</source>
+        <translation>Q&amp;uitar la peineta</translation>
+    </message>
+    <message>
+        <source>No hair is left to gather here: paint density, or take another tie off</source>
+        <translation>No queda pelo que recoger aquí: pinta densidad o quita otro coletero</translation>
     </message>
 </context>
 <context>
@@ -3899,11 +3903,11 @@
     </message>
     <message>
         <source>&amp;Tie and put on</source>
-        <translation>Reco&amp;ger y poner</translation>
+        <translation>Recoger y po&amp;ner</translation>
     </message>
     <message>
         <source>Take o&amp;ff what is chosen</source>
-        <translation>Quitar lo &amp;elegido</translation>
+        <translation>Q&amp;uitar lo elegido</translation>
     </message>
 </context>
 <context>

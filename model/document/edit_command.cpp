@@ -1,6 +1,7 @@
 // Parts of the content taken out and put back.
 #include "model/document/edit_command.h"
 
+#include "model/document/paint_command.h"
 #include "model/document/undo_budget.h"
 
 #include <algorithm>

@@ -21,10 +21,6 @@ struct ShownPart
 [[nodiscard]] CommandPtr editCommand(Document& document, const Change& change, const QString& text,
                                      std::function<void(Project&)> edit);
 
-/// paintCommand() without what is worn as patches of it.
-[[nodiscard]] CommandPtr plainPaintCommand(Document& document, std::vector<LayerEdit> layers, const QString& text);
-void layIn(Project& project, const std::vector<LayerEdit>& layers);
-
 /// The same step, which also makes what is worn follow the patches of accessory maps: `after` is the content that the
 /// command gives. Null stays null.
 [[nodiscard]] CommandPtr withPatches(Document& document, CommandPtr command, Project after, const QString& text);

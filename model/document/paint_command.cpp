@@ -1,4 +1,6 @@
 // Undo of painting: only the touched tiles are kept.
+#include "model/document/paint_command.h"
+
 #include "model/document/edit_command.h"
 #include "model/document/undo_budget.h"
 #include "model/project/content_budget.h"

@@ -1,6 +1,10 @@
 // Worn things: made, placed, and as other floors know them.
 #include "model/project/worn.h"
 
+#include "model/project/worn_kinds.h"
+
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
@@ -35,6 +39,37 @@ glm::vec3 leaving(glm::vec3 normalHd)
 }
 
 } // namespace
+
+std::span<const WornSpec> wornSpecs()
+{
+    return tableOfWornKinds();
+}
+
+const WornSpec& wornSpec(WornKind kind)
+{
+    return wornSpecs()[static_cast<std::size_t>(kind)];
+}
+
+const WornSpec* findWornSpec(const QString& id)
+{
+    const std::span<const WornSpec> specs = wornSpecs();
+    const auto found =
+        std::ranges::find_if(specs, [&id](const WornSpec& spec) { return id == QLatin1StringView(spec.id); });
+    return found != specs.end() ? &*found : nullptr;
+}
+
+const WornSpec* wornOfPalette(int index)
+{
+    const std::span<const PaletteEntry> palette = mapSpec(MapKind::Accessory).palette;
+    return index > 0 && static_cast<std::size_t>(index) < palette.size()
+               ? findWornSpec(QLatin1StringView(palette[static_cast<std::size_t>(index)].id))
+               : nullptr;
+}
+
+QString wornText(const char* text)
+{
+    return QCoreApplication::translate("Worn", text);
+}
 
 std::shared_ptr<const sim::HeadMesh> wornMesh(const Worn& worn, const sim::Skin* skin)
 {

@@ -1,12 +1,12 @@
-// The table of kinds of worn things.
+// The rows of the table, in the order of WornKind.
+#include "model/project/worn_kinds.h"
+
 #include "model/bodies/ball_body.h"
 #include "model/bodies/ornament_bodies.h"
 #include "model/bodies/tie_bodies.h"
-#include "model/project/worn.h"
 
-#include <QCoreApplication>
+#include <QtGlobal>
 
-#include <algorithm>
 #include <array>
 
 namespace hairpaint::model {
@@ -77,10 +77,10 @@ constexpr std::array kWornSpecs = {
              .ownArray = nullptr,
              .title = QT_TRANSLATE_NOOP("Worn", "Ponytail"),
              .action = "Ponytail",
-             .addTitle = QT_TRANSLATE_NOOP("Worn", "Po&nytail here"),
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "&Ponytail here"),
              .addHint = QT_TRANSLATE_NOOP("Worn", "Gathers the active group's hair, inside the selection if there is "
                                                   "one, where the pointer was last on the head; %1 at most"),
-             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Undo the ponytail"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the tie o&ff"),
              .addStep = QT_TRANSLATE_NOOP("Worn", "Add ponytail"),
              .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove ponytail"),
              .moveStep = QT_TRANSLATE_NOOP("Worn", "Move ponytail"),
@@ -109,10 +109,10 @@ constexpr std::array kWornSpecs = {
              .ownArray = nullptr,
              .title = QT_TRANSLATE_NOOP("Worn", "Bun"),
              .action = "Bun",
-             .addTitle = QT_TRANSLATE_NOOP("Worn", "Bu&n here"),
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "&Bun here"),
              .addHint = QT_TRANSLATE_NOOP("Worn", "Winds the active group's hair up, inside the selection if there is "
                                                   "one, where the pointer was last on the head; %1 at most"),
-             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Undo the bun"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the bun's tie o&ff"),
              .addStep = QT_TRANSLATE_NOOP("Worn", "Add bun"),
              .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove bun"),
              .moveStep = QT_TRANSLATE_NOOP("Worn", "Move bun"),
@@ -144,7 +144,7 @@ constexpr std::array kWornSpecs = {
              .action = "Headband",
              .addTitle = QT_TRANSLATE_NOOP("Worn", "&Headband here"),
              .addHint = QT_TRANSLATE_NOOP("Worn", "A band over the head where the pointer was last on it; %1 at most"),
-             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the headband off"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the headband o&ff"),
              .addStep = QT_TRANSLATE_NOOP("Worn", "Add headband"),
              .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove headband"),
              .moveStep = QT_TRANSLATE_NOOP("Worn", "Move headband"),
@@ -172,9 +172,9 @@ constexpr std::array kWornSpecs = {
              .ownArray = nullptr,
              .title = QT_TRANSLATE_NOOP("Worn", "Ribbon bow"),
              .action = "Bow",
-             .addTitle = QT_TRANSLATE_NOOP("Worn", "Ribbon bo&w here"),
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "&Ribbon bow here"),
              .addHint = QT_TRANSLATE_NOOP("Worn", "A bow where the pointer was last on the head; %1 at most"),
-             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the bow off"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the bow o&ff"),
              .addStep = QT_TRANSLATE_NOOP("Worn", "Add ribbon bow"),
              .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove ribbon bow"),
              .moveStep = QT_TRANSLATE_NOOP("Worn", "Move ribbon bow"),
@@ -198,9 +198,9 @@ constexpr std::array kWornSpecs = {
              .ownArray = nullptr,
              .title = QT_TRANSLATE_NOOP("Worn", "Hairpin"),
              .action = "Hairpin",
-             .addTitle = QT_TRANSLATE_NOOP("Worn", "Hair&pin here"),
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "Hairp&in here"),
              .addHint = QT_TRANSLATE_NOOP("Worn", "A bent wire where the pointer was last on the head; %1 at most"),
-             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the hairpin out"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the hairpin o&ff"),
              .addStep = QT_TRANSLATE_NOOP("Worn", "Add hairpin"),
              .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove hairpin"),
              .moveStep = QT_TRANSLATE_NOOP("Worn", "Move hairpin"),
@@ -225,9 +225,9 @@ constexpr std::array kWornSpecs = {
              .ownArray = nullptr,
              .title = QT_TRANSLATE_NOOP("Worn", "Flower"),
              .action = "Flower",
-             .addTitle = QT_TRANSLATE_NOOP("Worn", "Flo&wer here"),
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "&Flower here"),
              .addHint = QT_TRANSLATE_NOOP("Worn", "A blossom where the pointer was last on the head; %1 at most"),
-             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the flower off"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the flower o&ff"),
              .addStep = QT_TRANSLATE_NOOP("Worn", "Add flower"),
              .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove flower"),
              .moveStep = QT_TRANSLATE_NOOP("Worn", "Move flower"),
@@ -251,9 +251,9 @@ constexpr std::array kWornSpecs = {
              .ownArray = nullptr,
              .title = QT_TRANSLATE_NOOP("Worn", "Comb"),
              .action = "Comb",
-             .addTitle = QT_TRANSLATE_NOOP("Worn", "&Comb here"),
+             .addTitle = QT_TRANSLATE_NOOP("Worn", "C&omb here"),
              .addHint = QT_TRANSLATE_NOOP("Worn", "A comb where the pointer was last on the head; %1 at most"),
-             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the comb out"),
+             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the comb o&ff"),
              .addStep = QT_TRANSLATE_NOOP("Worn", "Add comb"),
              .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove comb"),
              .moveStep = QT_TRANSLATE_NOOP("Worn", "Move comb"),
@@ -277,34 +277,9 @@ constexpr std::array kWornSpecs = {
 
 } // namespace
 
-std::span<const WornSpec> wornSpecs()
+std::span<const WornSpec> tableOfWornKinds()
 {
     return kWornSpecs;
-}
-
-const WornSpec& wornSpec(WornKind kind)
-{
-    return kWornSpecs.at(static_cast<std::size_t>(kind));
-}
-
-const WornSpec* findWornSpec(const QString& id)
-{
-    const auto found =
-        std::ranges::find_if(kWornSpecs, [&id](const WornSpec& spec) { return id == QLatin1StringView(spec.id); });
-    return found != kWornSpecs.end() ? &*found : nullptr;
-}
-
-const WornSpec* wornOfPalette(int index)
-{
-    const std::span<const PaletteEntry> palette = mapSpec(MapKind::Accessory).palette;
-    return index > 0 && static_cast<std::size_t>(index) < palette.size()
-               ? findWornSpec(QLatin1StringView(palette[static_cast<std::size_t>(index)].id))
-               : nullptr;
-}
-
-QString wornText(const char* text)
-{
-    return QCoreApplication::translate("Worn", text);
 }
 
 } // namespace hairpaint::model

@@ -15,6 +15,7 @@ private Q_SLOTS:
     void aPonytailByOneClick()
     {
         openWindow(model::newProject());
+        editor().target().setMap(model::MapKind::Density);
         drag(m_window->paintView(), paintPoint(0.45F, 0.7F), paintPoint(0.55F, 0.7F));
         const QByteArray before = savedBytes("before.hairpaint");
         const auto [area, at] = onHead(0.5F, 0.7F);
@@ -35,6 +36,15 @@ private Q_SLOTS:
         QVERIFY(session().document().project().worn.back() == tie);
         session().document().undo();
         QCOMPARE(savedBytes("after.hairpaint"), before);
+    }
+
+    void whereNoHairIsItSaysSo()
+    {
+        openWindow(model::newProject());
+        const QSignalSpy refused(&editor(), &view::EditorState::refused);
+        m_window->actions().find(QLatin1StringView("hair.addBun"))->trigger();
+        QCOMPARE(refused.count(), 1);
+        QCOMPARE(stack().count(), 0);
     }
 
     /// The brush in the paint area, mirrored: twin tails.

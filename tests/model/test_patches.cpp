@@ -1,6 +1,5 @@
 // Patches of the accessory map: each is one worn thing, in the same step of the history.
 #include "model/files/project_file.h"
-#include "sim/skin/mesh_openings.h"
 #include "tests/model/fixtures.h"
 #include "tests/support/test_program.h"
 
@@ -8,6 +7,7 @@
 #include <QTest>
 #include <QUndoStack>
 
+#include <algorithm>
 #include <random>
 
 using namespace hairpaint;
@@ -355,7 +355,7 @@ private Q_SLOTS:
         paintDisc(document, {0.5F, 0.75F}, 0.05F, kBun);
         EditSession session = document.begin({.text = QStringLiteral("Look")});
         session.preview({.aspect = Change::Aspect::Environment}, [](Project& project) {
-            Worn& worn = project.worn.front();
+            Worn& worn = *std::ranges::find(project.worn, WornKind::Ponytail, &Worn::kind);
             worn.make = 3;
             worn.tightness = 0.25F;
         });

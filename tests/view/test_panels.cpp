@@ -137,8 +137,8 @@ private Q_SLOTS:
         PanelFixture f;
         HairPanel panel(f.state);
         panel.show();
-        auto* mode = panel.findChild<QComboBox*>();
-        QVERIFY(mode != nullptr);
+        const auto boxes = panel.findChildren<QComboBox*>();
+        auto* mode = *std::ranges::find_if(boxes, [](const QComboBox* box) { return box->isVisible(); });
         QTest::keyClick(mode, Qt::Key_Down);
         QVERIFY(f.scalp().settings.turnsMode == sim::TurnsMode::PerLength);
         panel.findChild<QCheckBox*>()->click();
@@ -377,9 +377,9 @@ private Q_SLOTS:
         QVERIFY(isSeen(rows.front()) && !isSeen(rows.back()));
         rows[9]->setFocus();
         f.state.target().setMap(MapKind::Direction);
-        for (int down = 0; down < 3; ++down)
+        for (int down = 0; down < 4; ++down)
             QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
-        QVERIFY(f.state.target().map() == MapKind::Gloss);
+        QVERIFY(f.state.target().map() == MapKind::Accessory);
         QTRY_VERIFY(isSeen(rows.back()) && !isSeen(rows.front()));
         QTest::keyClick(&panel, Qt::Key_1);
         QTRY_VERIFY(isSeen(rows.front()));
