@@ -2930,6 +2930,10 @@
         <source>Puff hair</source>
         <translation>Ahuecar el pelo</translation>
     </message>
+    <message>
+        <source>Point at hair, and drag a node of the hairs that are shown; they keep their length</source>
+        <translation>Apunta al pelo y arrastra un nodo de los pelos que se muestran; conservan su largo</translation>
+    </message>
 </context>
 <context>
     <name>ToolOptions</name>
@@ -3124,6 +3128,14 @@
     <message>
         <source>How much a stroke does; pen pressure makes it less, another stroke more</source>
         <translation>Cuánto hace un trazo; la presión del lápiz lo reduce, otro trazo lo aumenta</translation>
+    </message>
+    <message>
+        <source>Grab hair wherever it is seen</source>
+        <translation>Agarrar el pelo donde se ve</translation>
+    </message>
+    <message>
+        <source>Bend single hairs by their nodes; the hair around follows</source>
+        <translation>Doblar pelos sueltos por sus nodos; el pelo de alrededor los sigue</translation>
     </message>
 </context>
 <context>

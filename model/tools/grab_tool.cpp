@@ -1,8 +1,10 @@
 // Grab: hair that is taken hold of goes where the pointer goes.
 #include "model/maps/compositor.h"
+#include "model/tools/bent_hair.h"
 #include "model/tools/comb_field.h"
 #include "model/tools/dab_shape.h"
 #include "model/tools/fallen_hair.h"
+#include "model/tools/guide_strands.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/picker_tool.h"
 #include "model/tools/skin_frames.h"
@@ -19,16 +21,28 @@ namespace hairpaint::model {
 
 namespace {
 
+constexpr std::array kGrabKinds{
+    ToolChoice::Item{"grab-hair", QT_TRANSLATE_NOOP("ToolOptions", "Grab hair wherever it is seen")},
+    ToolChoice::Item{"grab-guides",
+                     QT_TRANSLATE_NOOP("ToolOptions", "Bend single hairs by their nodes; the hair around follows")},
+};
+constexpr ToolOption kGrabKind{
+    .key = "grab",
+    .kind =
+        ToolChoice{.entries = kGrabKinds,
+                   .read = [](const ToolSettings& settings) { return static_cast<int>(settings.grab); },
+                   .write = [](ToolSettings& settings, int index) { settings.grab = static_cast<GrabKind>(index); }}};
 constexpr ToolOption kGrabGel{
     .key = "grab_gel",
     .label = QT_TRANSLATE_NOOP("ToolOptions", "Gel at least"),
     .hint =
         QT_TRANSLATE_NOOP("ToolOptions", "The gel that keeps hair where it was pulled; long hair falls back without"),
     .kind = ToolNumber{.field = &ToolSettings::grabGel}};
-constexpr std::array kGrabOptions{&kSizeOption, &kHardnessOption, &kOpacityOption, &kGrabGel};
+constexpr std::array kGrabOptions{&kGrabKind, &kSizeOption, &kHardnessOption, &kOpacityOption, &kGrabGel};
 
 constexpr float kStillM = 0.001F;                  ///< A pointer that moved less has not moved.
 constexpr float kAlike = 0.5F;                     ///< Cosine: hair that lies so goes along,
+constexpr float kHangs = 2.0F;                     ///< Of the length that stands up: hair so long hangs.
 constexpr float kUnlike = 0.1F;                    ///< and hair that lies so stays.
 const glm::vec3 kOverTheMiddle(-1.0F, 1.0F, 1.0F); ///< Reflects Hd.
 
@@ -63,7 +77,14 @@ class GrabTool : public Tool, private HairHandler
 public:
     [[nodiscard]] const ToolTraits& traits() const override { return kGrab; }
 
+    [[nodiscard]] QString hintFor(const ToolSettings& settings) const override
+    {
+        return settings.grab == GrabKind::Guides
+                   ? tr("Point at hair, and drag a node of the hairs that are shown; they keep their length")
+                   : hint();
+    }
     [[nodiscard]] HairHandler* hairHandler() override { return this; }
+    [[nodiscard]] std::vector<GuideStrand> guides() const override { return m_guides; }
 
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override
@@ -96,6 +117,13 @@ private:
     {
         pull(event.targetHd, event.modifiers.testFlag(Qt::ControlModifier), context);
     }
+    void hoverHair(const std::optional<GrabbedHair>& hair, ToolContext& context) override
+    {
+        if (active())
+            return;
+        m_guides = hair && context.settings.grab == GrabKind::Guides ? guidesAround(context, hair->root)
+                                                                     : std::vector<GuideStrand>();
+    }
     void releaseHair(const HairEvent& event, ToolContext& context) override
     {
         if (!active())
@@ -112,6 +140,8 @@ private:
     [[nodiscard]] float agreement(Held& held, glm::vec2 position);
     void layGel(const ToolSettings& settings);
     void layDirections(glm::vec3 directionHd, std::optional<float> flatness, const ToolSettings& settings);
+    void takeCourse(const GrabbedHair& hair, const ToolContext& context);
+    void layCourse(glm::vec3 targetHd, const ToolSettings& settings);
     void layLengths(float factor, const sim::GroupSettings& group, const ToolSettings& settings);
     void drop();
 
@@ -128,6 +158,9 @@ private:
     glm::vec3 m_startHd{0.0F};
     float m_alongM = 0.0F; ///< Of the point that was grabbed, from the root; 0 in the paint area.
     bool m_moved = false;
+    std::vector<GuideStrand> m_guides; ///< Offered to be bent.
+    HairCourse m_course;               ///< Of the hair that is bent, as it lay; none where only its root is turned.
+    std::size_t m_courseNode = 0;      ///< Which of its nodes is held.
 };
 
 void GrabTool::press(const ToolEvent& event, ToolContext& context)
@@ -164,6 +197,7 @@ void GrabTool::take(const GrabbedHair& hair, ToolContext& context)
     m_before.emplace(context, *m_frames, m_edit.size());
     for (Held& held : m_held)
         held.lyingHd = lyingHd(held.root.uv, sim::SkinFrame::at(held.root));
+    takeCourse(hair, context);
     m_masks.emplace(masksFor(0, context.settings));
     m_tiles = m_masks->takeDirty();
     m_length = inTheAir ? m_edit.also(context, context.layer(MapKind::Length)) : std::nullopt;
@@ -198,7 +232,10 @@ void GrabTool::pull(glm::vec3 targetHd, bool lengths, ToolContext& context)
         return;
     const ToolSettings& settings = context.settings;
     const bool inTheAir = m_alongM > 0.0F;
-    layDirections(glm::normalize(offset), inTheAir ? std::nullopt : std::optional(settings.flatness), settings);
+    if (!m_course.empty())
+        layCourse(targetHd, settings);
+    else
+        layDirections(glm::normalize(offset), inTheAir ? std::nullopt : std::optional(settings.flatness), settings);
     if (active() && m_gel)
         layGel(settings);
     if (!active() || !m_length)
@@ -312,6 +349,48 @@ void GrabTool::layDirections(glm::vec3 directionHd, std::optional<float> flatnes
     });
 }
 
+/// Hair that is held where it hangs is bent there; that which stands is turned at its root.
+void GrabTool::takeCourse(const GrabbedHair& hair, const ToolContext& context)
+{
+    m_course.clear();
+    const HairGroup* group = context.document.project().group(context.target.group);
+    if (hair.alongM <= 0.0F || group == nullptr)
+        return;
+    const bool isGuide = context.settings.grab == GrabKind::Guides;
+    if (!isGuide && hair.alongM < kHangs * group->settings.physics.stiffnessM)
+        return;
+    std::optional<HairCourse> course = courseOf(context, hair.root);
+    if (!course)
+        return;
+    m_course = std::move(*course);
+    m_courseNode = nodeAlong(m_course, hair.alongM);
+    for (GuideStrand& guide : m_guides)
+        guide.held = glm::distance(guide.nodesHd.front(), m_course.front()) < kStillM;
+}
+
+/// The hair is bent to the pointer; it and what lies around it takes that course over the skin.
+void GrabTool::layCourse(glm::vec3 targetHd, const ToolSettings& settings)
+{
+    std::vector<HairCourse> courses(m_held.size(), m_course);
+    bendHair(courses.front(), m_courseNode, targetHd);
+    for (GuideStrand& guide : m_guides)
+        if (guide.held)
+            guide.nodesHd = courses.front();
+    for (std::size_t i = 1; i < courses.size(); ++i)
+        for (std::size_t node = 0; node < m_course.size(); ++node)
+            courses[i][node] = courses.front()[node] * m_held[i].across;
+    LaidHair laid = layAlong(courses, {.radiusM = 0.5F * settings.brushSizeM, .hardness = settings.hardness}, *m_frames,
+                             m_edit.size(), m_edit.clips());
+    const std::uint16_t opacity = unit16(settings.opacity);
+    m_edit.replace(laid.masks.takeDirty(), [&](int index, const sim::RasterTilePtr& before) {
+        const std::vector<std::uint16_t> values = laid.field.values(index);
+        const StrokeBuffer::MaskTile& mask = *laid.masks.mask(index);
+        m_before->look(index);
+        return paintTile(m_edit.spec(), m_before->under(index, before, mask), mask,
+                         {.values = values.data(), .opacity = opacity});
+    });
+}
+
 /// As long as before times `factor`, as far as the map goes.
 void GrabTool::layLengths(float factor, const sim::GroupSettings& group, const ToolSettings& settings)
 {
@@ -339,6 +418,8 @@ void GrabTool::drop()
     m_lengthBefore.reset();
     m_gelBefore.reset();
     m_before.reset();
+    m_course.clear();
+    m_guides.clear();
     m_masks.reset();
     m_lengthMasks.reset();
     m_gelMasks.reset();

@@ -106,7 +106,6 @@ enum class ToolId : std::uint8_t
     Part,
     Grab,
     Fingers,
-    Balayage,
     Scissors,
     Gradient,
     Fill,

@@ -268,6 +268,63 @@ private Q_SLOTS:
         QVERIFY(same(before, all()));
     }
 
+    void guidesAreBentByTheirNodes_data()
+    {
+        QTest::addColumn<bool>("mirrored");
+        QTest::newRow("one side") << false;
+        QTest::newRow("mirrored") << true;
+    }
+    void guidesAreBentByTheirNodes()
+    {
+        QFETCH(bool, mirrored);
+        openWithLongHair();
+        editor().options().setMirror(mirrored);
+        setTools(model::ToolId::Grab, TouchKind::Seen);
+        model::ToolSettings settings = editor().tools().settings();
+        settings.grab = model::GrabKind::Guides;
+        settings.brushSizeM = 0.03F;
+        editor().tools().setSettings(settings);
+        QTest::mouseMove(m_head, m_at + QPoint(0, 1));
+        QTest::mouseMove(m_head, m_at);
+        const std::vector<model::GuideStrand> guides = editor().tools().active().guides();
+        QVERIFY(guides.size() >= 6 && guides.size() <= 30);
+        const auto* overlay = m_window->headView().findChild<view::HeadOverlay*>();
+        QCOMPARE(overlay->guides().size(), guides.size());
+        // A node in the middle of the first, wherever it is seen.
+        const QPoint node = m_window->headView().positionOf(guides.front().nodesHd[4]).value().toPoint();
+        const auto lengths = map(MapKind::Length);
+        const auto directions = map(MapKind::Direction);
+        const auto gel = map(MapKind::Gel);
+        const int steps = stack().count();
+        m_at = node;
+        strokeTo(node + QPoint(30, -20), false);
+        const std::vector<model::GuideStrand> bent = editor().tools().active().guides();
+        const auto held = std::ranges::find_if(bent, &model::GuideStrand::held);
+        QVERIFY(held != bent.end());
+        const auto lengthM = [](const model::GuideStrand& guide) {
+            float sumM = 0.0F;
+            for (std::size_t i = 1; i < guide.nodesHd.size(); ++i)
+                sumM += glm::distance(guide.nodesHd[i - 1], guide.nodesHd[i]);
+            return sumM;
+        };
+        const auto was = std::ranges::find_if(
+            guides, [&](const model::GuideStrand& one) { return one.root.positionHd == held->root.positionHd; });
+        QVERIFY(was != guides.end());
+        QVERIFY(std::abs(lengthM(*was) - lengthM(*held)) < 1e-4F);
+        const auto preview = map(MapKind::Direction);
+        QVERIFY(*preview != *directions);
+        QTest::mouseRelease(m_head, Qt::LeftButton, {}, node + QPoint(30, -20));
+        QVERIFY(*map(MapKind::Direction) == *preview);
+        QVERIFY(*map(MapKind::Length) == *lengths);
+        QVERIFY(map(MapKind::Gel)->sampleScalar(held->root.uv) > gel->sampleScalar(held->root.uv));
+        const glm::vec2 root = mirrored ? otherSide(held->root.uv) : held->root.uv;
+        QVERIFY(map(MapKind::Direction)->sampleNearest(root) != directions->sampleNearest(root));
+        QCOMPARE(stack().count(), steps + 1);
+        session().document().undo();
+        QVERIFY(*map(MapKind::Direction) == *directions);
+        QVERIFY(*map(MapKind::Gel) == *gel);
+    }
+
     void theStrandsThatAreMeantAreShown()
     {
         openWithLongHair();

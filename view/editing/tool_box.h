@@ -62,6 +62,8 @@ public:
     void press(const model::HairEvent& event);
     void move(const model::HairEvent& event);
     void release(const model::HairEvent& event);
+    /// The pointer moves over hair, or beside it, with no button down.
+    void hover(const std::optional<model::GrabbedHair>& hair);
     /// The same over the 3D area's picture, where the active tool draws over it.
     void press(const model::PictureEvent& event);
     void move(const model::PictureEvent& event);

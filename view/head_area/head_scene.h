@@ -74,6 +74,8 @@ public:
     [[nodiscard]] float pixelAt(const sim::SurfacePoint& point) const;
     /// The active group's hair that a position of the area shows; none where none is near.
     [[nodiscard]] std::optional<model::GrabbedHair> hairAt(QPointF position) const;
+    /// The node under the pointer of the hairs that the active tool offers to be bent.
+    [[nodiscard]] std::optional<model::GrabbedHair> guideNodeAt(QPointF position) const;
     /// The active group's hair as the area shows it.
     [[nodiscard]] const model::SeenHair& seen() const { return m_seen; }
     /// Where the active tool is to work on the strands that a position shows, and not on the skin there; as far away as
