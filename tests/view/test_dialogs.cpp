@@ -274,6 +274,8 @@ private Q_SLOTS:
     {
         model::RiggedMesh mesh(test::makeBallHead());
         mesh.told = {.metresPerUnit = 0.1F, .up = model::ToldAxis::Y};
+        for (glm::vec3& position : mesh.positionsHd)
+            position *= 10.0F;
         HeadImportDialog dialog(mesh, QStringLiteral("head.fbx"));
         const auto isSaid = [&dialog] {
             return std::ranges::any_of(dialog.findChildren<QLabel*>(), [](const QLabel* label) {
