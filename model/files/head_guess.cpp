@@ -64,7 +64,12 @@ HeadGuess guessHead(const RiggedMesh& source)
         guess.upAxis = source.told.up == ToldAxis::Z ? UpAxis::Z : UpAxis::Y;
     else
         guess.upAxis = size.z > size.y && !opensBelowY(source) ? UpAxis::Z : UpAxis::Y;
-    guess.unitScale = source.told.metresPerUnit > 0.0F ? source.told.metresPerUnit : likelyUnit(source, guess.upAxis);
+    // A unit under which it would be no head is told wrongly.
+    constexpr float kSmallestM = 0.001F;
+    constexpr float kLargestM = 100.0F;
+    const float toldM = source.told.metresPerUnit * std::max({size.x, size.y, size.z});
+    guess.unitScale =
+        toldM >= kSmallestM && toldM <= kLargestM ? source.told.metresPerUnit : likelyUnit(source, guess.upAxis);
     return guess;
 }
 
