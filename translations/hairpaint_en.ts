@@ -44,6 +44,13 @@
             <numerusform>%Ln triangles, %1 cm tall.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln triangles, %1 cm tall; unit and axis are those that the file tells.</source>
+        <translation>
+            <numerusform>%Ln triangle, %1 cm tall; unit and axis are those that the file tells.</numerusform>
+            <numerusform>%Ln triangles, %1 cm tall; unit and axis are those that the file tells.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::StatusReadout</name>

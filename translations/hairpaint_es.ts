@@ -425,14 +425,6 @@
         <translation>que apunta hacia arriba en esos archivos: y o z; si no se da, lo que ellos digan o lo que encaje</translation>
     </message>
     <message>
-        <source>--curves-unit takes m, dm, cm, mm or in, not &apos;%1&apos;</source>
-        <translation>--curves-unit admite m, dm, cm, mm o in, no «%1»</translation>
-    </message>
-    <message>
-        <source>--curves-axis takes y or z, not &apos;%1&apos;</source>
-        <translation>--curves-axis admite y o z, no «%1»</translation>
-    </message>
-    <message>
         <source>the file to write: curves, USD, lines, ribbons as a mesh, or an avatar: cards on spring bones with the body of a head that came with a skeleton</source>
         <translation>el archivo que se escribe: curvas, USD, líneas, cintas como malla o un avatar: tarjetas sobre huesos de muelle y el cuerpo de una cabeza que llegó con esqueleto</translation>
     </message>
@@ -535,6 +527,30 @@
     <message>
         <source>This system has no font, so no text can be read; install one, for example Debian&apos;s package fonts-inter.</source>
         <translation>Este sistema no tiene ningún tipo de letra, así que no se puede leer ningún texto; instale uno, por ejemplo el paquete fonts-inter de Debian.</translation>
+    </message>
+    <message>
+        <source>--%1 takes m, dm, cm, mm or in, not &apos;%2&apos;</source>
+        <translation>--%1 admite m, dm, cm, mm o in, no «%2»</translation>
+    </message>
+    <message>
+        <source>--%1 takes y or z, not &apos;%2&apos;</source>
+        <translation>--%1 admite y o z, no «%2»</translation>
+    </message>
+    <message>
+        <source>--%1 takes x, -x, y, -y, z or -z, not &apos;%2&apos;</source>
+        <translation>--%1 admite x, -x, y, -y, z o -z, no «%2»</translation>
+    </message>
+    <message>
+        <source>of that mesh: m, dm, cm, mm or in; as it says, or as a head or a body is tall, unless given</source>
+        <translation>de esa malla: m, dm, cm, mm o in; si no se indica, la que diga el archivo o la que corresponda a la altura de una cabeza o un cuerpo</translation>
+    </message>
+    <message>
+        <source>that points up in that mesh: y or z; as it says, or as it is tall, unless given</source>
+        <translation>el que apunta hacia arriba en esa malla: y o z; si no se indica, el que diga el archivo o el de su altura</translation>
+    </message>
+    <message>
+        <source>where the face of that mesh looks: x, -x, y, -y, z or -z; z, or -y where z points up, unless given</source>
+        <translation>hacia dónde mira la cara de esa malla: x, -x, y, -y, z o -z; si no se indica, z, o -y si z apunta hacia arriba</translation>
     </message>
 </context>
 <context>
@@ -1308,6 +1324,26 @@
     <message>
         <source>something worn in it is of a kind that is not known to this one</source>
         <translation>esta versión no conoce el tipo de algo que se lleva en él</translation>
+    </message>
+    <message>
+        <source>all its uv coordinates are the same, so there is nothing to paint on; unwrap it in a 3D program first</source>
+        <translation>todas sus coordenadas UV son iguales, así que no hay dónde pintar; despliéguelo antes en un programa 3D</translation>
+    </message>
+    <message>
+        <source>its face can&apos;t look along the axis that is up; choose another axis for one of them</source>
+        <translation>su cara no puede mirar a lo largo del eje que apunta hacia arriba; elija otro eje para uno de los dos</translation>
+    </message>
+    <message>
+        <source>it asks for the glTF extension &apos;%1&apos;, which is not known here; export it without that extension</source>
+        <translation>requiere la extensión de glTF «%1», que aquí no se conoce; expórtelo sin esa extensión</translation>
+    </message>
+    <message>
+        <source>its %1 compression could not be decoded, so it is likely damaged; export it without compression</source>
+        <translation>su compresión %1 no se pudo descodificar, así que probablemente está dañado; expórtelo sin compresión</translation>
+    </message>
+    <message>
+        <source>it can&apos;t be read (%1); try another copy of it, or export it once more</source>
+        <translation>no se puede leer (%1); pruebe otra copia o expórtelo de nuevo</translation>
     </message>
 </context>
 <context>
@@ -5127,6 +5163,13 @@ Se ha perdido esto:</translation>
         <source>Hairline, parting and every painted map go to the same places of the new head. Otherwise the maps stay as they are, for a head with the same layout.</source>
         <translation>El nacimiento del pelo, la raya y todos los mapas pintados pasan a los mismos lugares de la cabeza nueva. Si no, los mapas se quedan como están, para una cabeza con el mismo despliegue.</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln triangles, %1 cm tall; unit and axis are those that the file tells.</source>
+        <translation>
+            <numerusform>%Ln triángulo, %1 cm de alto; la unidad y el eje son los que dice el archivo.</numerusform>
+            <numerusform>%Ln triángulos, %1 cm de alto; la unidad y el eje son los que dice el archivo.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::HeadOverlay</name>
@@ -5686,8 +5729,8 @@ Se ha perdido esto:</translation>
 <context>
     <name>hairpaint::view::MeshSilhouette</name>
     <message>
-        <source>The mesh from the front</source>
-        <translation>La malla de frente</translation>
+        <source>The mesh from the front, beside a person of 1.75 m</source>
+        <translation>La malla de frente, junto a una persona de 1,75 m</translation>
     </message>
 </context>
 <context>

@@ -158,7 +158,9 @@ tl::expected<GltfFile, wire::Refusal> parsedGltf(std::vector<std::byte> bytes)
     if (!root.is_object())
         return malformed("its description is no JSON");
     const Json& version = memberOf(memberOf(root, "asset"), "version");
-    if (version.is_string() && version.get_ref<const std::string&>().starts_with("1."))
+    const bool isOld = version.is_string() ? version.get_ref<const std::string&>().starts_with("1.")
+                                           : memberOf(root, "meshes").is_object(); // Lists came with version 2.
+    if (isOld)
         return tl::unexpected(wire::Reason::UnknownFormat);
     file.bones = vrmBones(root);
     file.facesBack = facesBack(root);

@@ -45,7 +45,7 @@ bool isKnownExtension(std::string_view name)
                                    "VRM",
                                    "KHR_xmp",
                                    "KHR_xmp_json_ld"};
-    constexpr std::array kFamilies = {"KHR_materials_", "EXT_materials_", "VRMC_", "KHR_audio"};
+    constexpr std::array kFamilies = {"KHR_materials_", "KHR_technique", "EXT_materials_", "VRMC_", "KHR_audio"};
     return std::ranges::find(kKnown, name) != kKnown.end() ||
            std::ranges::any_of(kFamilies, [name](std::string_view family) { return name.starts_with(family); });
 }

@@ -193,14 +193,16 @@ private Q_SLOTS:
         const Result<RiggedMesh> mesh = read(glb, "body.vrm");
         QVERIFY2(mesh, mesh ? "" : qPrintable(mesh.error().message));
         const Checked<HumanoidBones> bones = humanoidBones(mesh->skeleton.joints);
-        QCOMPARE(bones.has_value(), twins == 0);
+        QVERIFY(bones.has_value()); // A node is told by its number.
         const std::vector<JointPose> poses = posesOf(mesh->skeleton);
-        for (std::size_t bone = 0; twins == 0 && bone < kHumanBoneCount; ++bone) {
+        for (std::size_t bone = 0; bone < kHumanBoneCount; ++bone) {
             QCOMPARE(bones->joints.at(bone) < 0, known.joints.at(bone) < 0);
             if (known.joints.at(bone) < 0)
                 continue;
             const glm::vec3 at = poses[static_cast<std::size_t>(bones->joints.at(bone))].position;
-            const glm::vec3 wanted = test::kMannequin.at(static_cast<std::size_t>(known.joints.at(bone))).position;
+            glm::vec3 wanted = test::kMannequin.at(static_cast<std::size_t>(known.joints.at(bone))).position;
+            if (isOld) // It looks the other way.
+                wanted = glm::vec3(-wanted.x, wanted.y, -wanted.z);
             QVERIFY2(glm::distance(at, wanted) < 1e-4F, humanBoneSpec(static_cast<HumanBone>(bone)).id);
         }
     }
