@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/files/head_guess.h"
-#include "model/importing/curve_placing.h"
+#include "model/importing/curve_fit.h"
 
 class QCommandLineParser;
 

@@ -108,8 +108,8 @@ LaidHair layAlong(std::span<const HairCourse> courses, const LayShape& shape, Sk
                 laid.masks.add(dab, clip);
             const sim::SkinFrame centre = sim::SkinFrame::at(point->skin);
             laid.field.add(dab, [&](int x, int y) -> std::optional<glm::vec2> {
-                const glm::vec2 place = (glm::vec2(x, y) + 0.5F) / static_cast<float>(mapSize);
-                const sim::SkinFrame frame = frames.at({place.x, 1.0F - place.y}).value_or(centre);
+                const glm::vec2 uvDown = (glm::vec2(x, y) + 0.5F) / static_cast<float>(mapSize);
+                const sim::SkinFrame frame = frames.at({uvDown.x, 1.0F - uvDown.y}).value_or(centre);
                 const glm::vec2 inPlane = frame.fromHd(point->alongHd);
                 const float length = glm::length(inPlane);
                 // What would go into the head lies flat on it.

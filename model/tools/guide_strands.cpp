@@ -42,7 +42,7 @@ std::optional<HairCourse> courseOf(const ToolContext& context, const sim::Surfac
     float nearestM = 1e-4F;
     for (std::uint32_t slot = 0; slot < roots.count(); ++slot) {
         const float distanceM = glm::distance(roots.positionHd[slot], root.positionHd);
-        if (distanceM < nearestM && hair->places(slot)) {
+        if (distanceM < nearestM && hair->isPositioned(slot)) {
             nearestM = distanceM;
             nearest = slot;
         }
@@ -58,7 +58,7 @@ std::vector<GuideStrand> guidesAround(const ToolContext& context, const sim::Sur
     const sim::RootSet& roots = *hair->groom->roots;
     std::vector<std::pair<float, std::uint32_t>> near; ///< By distance.
     for (const std::uint32_t slot : roots.basisSlot)
-        if (hair->places(slot))
+        if (hair->isPositioned(slot))
             near.emplace_back(glm::distance(roots.positionHd[slot], root.positionHd), slot);
     std::ranges::sort(near);
     const float reachM = 0.5F * context.settings.brushSizeM;

@@ -287,8 +287,8 @@ private Q_SLOTS:
         maker.json["extensions"] = {{isOld ? "VRM" : "VRMC_vrm", {{"specVersion", "0.0"}}}};
         const MeshRead mesh = readBytes(maker.glb());
         QVERIFY2(mesh, qPrintable(said(mesh)));
-        const std::vector<JointPlace> places = placesOf(mesh->skeleton);
-        const glm::vec3 face = places.back().position;
+        const std::vector<JointPose> poses = posesOf(mesh->skeleton);
+        const glm::vec3 face = poses.back().position;
         QVERIFY(glm::distance(face, isOld ? glm::vec3(-0.02F, 0.1F, 0.04F) : glm::vec3(0.02F, 0.1F, -0.04F)) < 1e-6F);
         const MeshRead straight = readBytes(plain().glb());
         QVERIFY(straight);
