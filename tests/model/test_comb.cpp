@@ -224,7 +224,7 @@ private Q_SLOTS:
         QVERIFY(comb.layer().uniformValue() == (sim::Texel{32768, 32768, 0, 0}));
     }
 
-    void theOtherSidesWhorlTurnsTheOtherWayAndOneInTheMiddleIsAlone_data()
+    void theOtherSidesWhorlIsMirroredAndOneInTheMiddleIsAlone_data()
     {
         QTest::addColumn<bool>("builtIn");
         QTest::newRow("imported") << false;

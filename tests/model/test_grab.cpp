@@ -164,7 +164,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(hand.lengthAt(kRoot) - 0.4F) < 0.001F);
     }
 
-    void theOtherSideGoesTheOtherWay_data()
+    void theOtherSideIsMirrored_data()
     {
         QTest::addColumn<bool>("mirror");
         QTest::newRow("mirrored") << true;

@@ -146,7 +146,7 @@ private Q_SLOTS:
         QCOMPARE(lock.take(), OwnLock::State::Taken);
     }
 
-    void whatIsNoLockGivesWay_data()
+    void whatIsNoLockIsSweptAside_data()
     {
         onlyOrdinaryFilesAreReadAndNewOnesTakeTheNameAlone_data();
     }

@@ -245,7 +245,7 @@ private Q_SLOTS:
         QVERIFY(carried.layers.front().raster.uniformValue() == (sim::Texel{12345, 65535}));
     }
 
-    void hairLiesTheSameWayOnTheOtherHead_data() { foreignHeads(); }
+    void hairLiesInTheSameDirectionOnTheOtherHead_data() { foreignHeads(); }
     void hairLiesInTheSameDirectionOnTheOtherHead()
     {
         const auto& [foreign, head] = foreignHead();

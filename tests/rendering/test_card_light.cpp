@@ -58,7 +58,7 @@ private Q_SLOTS:
         QVERIFY(root.colour.r > root.colour.b);
     }
 
-    void theWayHairScattersLightIsSeen_data()
+    void theScatteringOfHairIsSeen_data()
     {
         QTest::addColumn<bool>("software");
         QTest::newRow("software") << true;
