@@ -69,7 +69,7 @@ HeadImportDialog::HeadImportDialog(model::RiggedMesh source, const QString& file
     m_buttons->button(QDialogButtonBox::Ok)->setText(tr("Import"));
     m_buttons->button(QDialogButtonBox::Cancel)->setText(m_refusal.isEmpty() ? tr("Cancel") : tr("Close"));
     layout->addWidget(m_buttons);
-    setMinimumWidth(500);
+    setMinimumWidth(540);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     guess();
