@@ -87,8 +87,10 @@ std::uint64_t mostBodyBytes(Kind kind)
     case Kind::ReadImage:
     case Kind::ReadMesh:
     case Kind::TellSandbox:
+    case Kind::ReadColours:
         return kLongestPath;
     case Kind::EncodeImage:
+    case Kind::EncodeColours:
     case Kind::Image:
         return 64 + kMostPixels * 8;
     case Kind::Mesh:
@@ -135,6 +137,11 @@ bool readJoints(Reader& reader, model::HeadSkeleton& skeleton)
     return true;
 }
 
+bool isLaterReason(std::uint32_t reason)
+{
+    return reason == static_cast<std::uint32_t>(Reason::LayersOnly);
+}
+
 bool finite(const glm::vec3& v)
 {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -171,9 +178,9 @@ Bytes encodeImage(const Image& image)
     return writer.take();
 }
 
-Bytes encodeRequest(const EncodeRequest& request)
+Bytes encodeRequest(const EncodeRequest& request, Kind kind)
 {
-    Writer writer(Kind::EncodeImage, 8 + request.ending.size() + 12 + request.image.samples.size() * 2);
+    Writer writer(kind, 8 + request.ending.size() + 12 + request.image.samples.size() * 2);
     writer.value(request.bits);
     writer.value(static_cast<std::uint32_t>(request.ending.size()));
     writer.array(std::span(request.ending));
@@ -325,7 +332,8 @@ std::optional<Refusal> decodeRefusal(std::span<const std::byte> body)
 {
     Reader reader(body);
     std::uint32_t reason = 0;
-    if (!reader.value(reason) || reason < 1 || reason > static_cast<std::uint32_t>(Reason::OutsideFolder))
+    if (!reader.value(reason) || reason < 1 ||
+        (reason > static_cast<std::uint32_t>(Reason::OutsideFolder) && !isLaterReason(reason)))
         return std::nullopt;
     Refusal refusal(static_cast<Reason>(reason));
     if (refusal.reason == Reason::MissingFile || refusal.reason == Reason::OutsideFolder) {

@@ -23,6 +23,8 @@ enum class Kind : std::uint32_t
     ReadMesh = 2,
     EncodeImage = 3,
     TellSandbox = 4,
+    ReadColours = 20,   ///< As ReadImage, in sRGB;
+    EncodeColours = 21, ///< as EncodeImage, of sRGB.
     Image = 101,
     Mesh = 102,
     Encoded = 103,
@@ -41,8 +43,9 @@ enum class Reason : std::uint32_t
     CannotWriteEnding = 7,
     OutOfMemory = 8,
     UnknownCompression = 9,
-    MissingFile = 10,  ///< A file that the model refers to is missing;
-    OutsideFolder = 11 ///< or lies outside of the model's folder.
+    MissingFile = 10,   ///< A file that the model refers to is missing;
+    OutsideFolder = 11, ///< or lies outside of the model's folder.
+    LayersOnly = 30     ///< Without the picture that its layers make.
 };
 
 /// Why there is no other answer.
@@ -97,7 +100,7 @@ struct EncodeRequest
 /// Whole messages, header included.
 [[nodiscard]] Bytes encodeText(Kind kind, const std::string& text);
 [[nodiscard]] Bytes encodeImage(const Image& image);
-[[nodiscard]] Bytes encodeRequest(const EncodeRequest& request);
+[[nodiscard]] Bytes encodeRequest(const EncodeRequest& request, Kind kind = Kind::EncodeImage);
 [[nodiscard]] Bytes encodeMesh(const model::RiggedMesh& mesh);
 [[nodiscard]] Bytes encodeFile(std::span<const std::byte> file);
 [[nodiscard]] Bytes encodeSandbox(const Sandbox& sandbox);

@@ -235,7 +235,7 @@ void TestClipboard::anImageIsFittedIntoItsPlace()
 {
     QImage image(40, 20, QImage::Format_RGB32);
     image.fill(Qt::blue);
-    const Clip clip = clipFromImage(image, MapKind::Length, 256, QRectF(0.0, 0.0, 1.0, 1.0));
+    const Clip clip = clipFromImage(image, MapKind::Length, false, 256, QRectF(0.0, 0.0, 1.0, 1.0));
     QCOMPARE(QSize(clip.width, clip.height), QSize(256, 128));
     QCOMPARE(clip.uvRect, QRectF(0.0, 0.25, 1.0, 0.5));
     const auto isFull = [](const sim::Texel& t) { return t[0] > 65500 && t[1] > 65500; }; // Scaling rounds.
