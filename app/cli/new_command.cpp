@@ -2,6 +2,7 @@
 #include "app/background/heads.h"
 #include "app/cli/command.h"
 #include "app/cli/option_values.h"
+#include "app/cli/terminal.h"
 #include "app/styles/library.h"
 #include "model/document/commands.h"
 #include "model/files/image_map.h"
@@ -140,9 +141,15 @@ std::optional<model::CurveSpaceChoice> curveSpaceOptions(const QCommandLineParse
 /// Adds a file's groups to the project.
 model::Result<void> importCurves(model::Project& project, const QString& path, const model::CurveSpaceChoice& choice)
 {
-    model::Result<std::vector<model::HairGroup>> groups = model::groupsFromCurves(path, choice, project.head);
+    std::size_t leftOut = 0;
+    model::Result<std::vector<model::HairGroup>> groups =
+        model::groupsFromCurves(path, choice, project.head, {}, &leftOut);
     if (!groups)
         return tl::unexpected(groups.error());
+    if (leftOut > 0)
+        (void)printLines(
+            {CommandLine::tr("%1: %Ln strands left out, which are broken", nullptr, static_cast<int>(leftOut))
+                 .arg(model::shownPath(path))});
     for (model::HairGroup& group : *groups)
         model::adoptGroup(project, std::move(group));
     return {};
