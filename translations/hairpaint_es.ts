@@ -425,14 +425,6 @@
         <translation>que apunta hacia arriba en esos archivos: y o z; si no se da, lo que ellos digan o lo que encaje</translation>
     </message>
     <message>
-        <source>--curves-unit takes m, dm, cm, mm or in, not &apos;%1&apos;</source>
-        <translation>--curves-unit admite m, dm, cm, mm o in, no «%1»</translation>
-    </message>
-    <message>
-        <source>--curves-axis takes y or z, not &apos;%1&apos;</source>
-        <translation>--curves-axis admite y o z, no «%1»</translation>
-    </message>
-    <message>
         <source>the file to write: curves, USD, lines, ribbons as a mesh, or an avatar: cards on spring bones with the body of a head that came with a skeleton</source>
         <translation>el archivo que se escribe: curvas, USD, líneas, cintas como malla o un avatar: tarjetas sobre huesos de muelle y el cuerpo de una cabeza que llegó con esqueleto</translation>
     </message>
@@ -535,6 +527,45 @@
     <message>
         <source>This system has no font, so no text can be read; install one, for example Debian&apos;s package fonts-inter.</source>
         <translation>Este sistema no tiene ningún tipo de letra, así que no se puede leer ningún texto; instale uno, por ejemplo el paquete fonts-inter de Debian.</translation>
+    </message>
+    <message>
+        <source>--%1 takes m, dm, cm, mm or in, not &apos;%2&apos;</source>
+        <translation>--%1 admite m, dm, cm, mm o in, no «%2»</translation>
+    </message>
+    <message>
+        <source>--%1 takes y or z, not &apos;%2&apos;</source>
+        <translation>--%1 admite y o z, no «%2»</translation>
+    </message>
+    <message>
+        <source>--%1 takes x, -x, y, -y, z or -z, not &apos;%2&apos;</source>
+        <translation>--%1 admite x, -x, y, -y, z o -z, no «%2»</translation>
+    </message>
+    <message>
+        <source>of that mesh: m, dm, cm, mm or in; as it says, or as a head or a body is tall, unless given</source>
+        <translation>de esa malla: m, dm, cm, mm o in; si no se indica, la que diga el archivo o la que corresponda a la altura de una cabeza o un cuerpo</translation>
+    </message>
+    <message>
+        <source>that points up in that mesh: y or z; as it says, or as it is tall, unless given</source>
+        <translation>el que apunta hacia arriba en esa malla: y o z; si no se indica, el que diga el archivo o el de su altura</translation>
+    </message>
+    <message>
+        <source>where the face of that mesh looks: x, -x, y, -y, z or -z; z, or -y where z points up, unless given</source>
+        <translation>hacia dónde mira la cara de esa malla: x, -x, y, -y, z o -z; si no se indica, z, o -y si z apunta hacia arriba</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds no image that is named after a map, as head_density.png is; rename them or choose another folder.</source>
+        <translation>«%1» no contiene ninguna imagen con el nombre de un mapa, como head_density.png; cambia sus nombres o elige otra carpeta.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %Ln strands left out, which are broken</source>
+        <translation>
+            <numerusform>%1: se omitió %Ln pelo dañado</numerusform>
+            <numerusform>%1: se omitieron %Ln pelos dañados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>each image of it as the map that its name tells: Scalp-density.png, head_length.0001.exr</source>
+        <translation>cada imagen de esa carpeta como el mapa que dice su nombre: Scalp-density.png, head_length.0001.exr</translation>
     </message>
 </context>
 <context>
@@ -1230,10 +1261,6 @@
         <translation>no contiene pelo; elige otro archivo</translation>
     </message>
     <message>
-        <source>its hair lies beyond all measure; export it again</source>
-        <translation>su pelo está fuera de toda medida; expórtalo de nuevo</translation>
-    </message>
-    <message>
         <source>its hair is cut short or broken; export it again</source>
         <translation>su pelo está cortado o dañado; expórtalo de nuevo</translation>
     </message>
@@ -1308,6 +1335,42 @@
     <message>
         <source>something worn in it is of a kind that is not known to this one</source>
         <translation>esta versión no conoce el tipo de algo que se lleva en él</translation>
+    </message>
+    <message>
+        <source>all its uv coordinates are the same, so there is nothing to paint on; unwrap it in a 3D program first</source>
+        <translation>todas sus coordenadas UV son iguales, así que no hay dónde pintar; despliéguelo antes en un programa 3D</translation>
+    </message>
+    <message>
+        <source>its face can&apos;t look along the axis that is up; choose another axis for one of them</source>
+        <translation>su cara no puede mirar a lo largo del eje que apunta hacia arriba; elija otro eje para uno de los dos</translation>
+    </message>
+    <message>
+        <source>it asks for the glTF extension &apos;%1&apos;, which is not known here; export it without that extension</source>
+        <translation>requiere la extensión de glTF «%1», que aquí no se conoce; expórtelo sin esa extensión</translation>
+    </message>
+    <message>
+        <source>its %1 compression could not be decoded, so it is likely damaged; export it without compression</source>
+        <translation>su compresión %1 no se pudo descodificar, así que probablemente está dañado; expórtelo sin compresión</translation>
+    </message>
+    <message>
+        <source>it can&apos;t be read (%1); try another copy of it, or export it once more</source>
+        <translation>no se puede leer (%1); pruebe otra copia o expórtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>it holds layers without the picture that they make; save it with “Maximize compatibility” on, or as PNG or TIFF, and try again</source>
+        <translation>contiene capas sin la imagen que forman; guárdalo con «Maximizar compatibilidad» activado, o como PNG o TIFF, e inténtalo de nuevo</translation>
+    </message>
+    <message>
+        <source>its hair does not lie on this head in the unit and axis that it is told to have; tell others, or none</source>
+        <translation>su pelo no queda sobre esta cabeza con la unidad y el eje que se le indicaron; indica otros, o ninguno</translation>
+    </message>
+    <message>
+        <source>its curves are NURBS, which are not read; export them as basis curves</source>
+        <translation>sus curvas son NURBS, que no se leen; expórtalas como curvas de base (BasisCurves)</translation>
+    </message>
+    <message>
+        <source>its hair is in other files, which it refers to; export it flattened into one</source>
+        <translation>su pelo está en otros archivos a los que remite; expórtalo aplanado en uno solo</translation>
     </message>
 </context>
 <context>
@@ -2210,6 +2273,10 @@
         <source>O</source>
         <translation>U</translation>
     </message>
+    <message>
+        <source>A</source>
+        <translation>I</translation>
+    </message>
 </context>
 <context>
     <name>MapScale</name>
@@ -2303,6 +2370,34 @@
     <message>
         <source>Gloss</source>
         <translation>Lustre</translation>
+    </message>
+    <message>
+        <source>Ponytail</source>
+        <translation>Coleta</translation>
+    </message>
+    <message>
+        <source>Bun</source>
+        <translation>Moño</translation>
+    </message>
+    <message>
+        <source>Headband</source>
+        <translation>Diadema</translation>
+    </message>
+    <message>
+        <source>Ribbon bow</source>
+        <translation>Lazo</translation>
+    </message>
+    <message>
+        <source>Hairpin</source>
+        <translation>Horquilla</translation>
+    </message>
+    <message>
+        <source>Bead</source>
+        <translation>Cuenta</translation>
+    </message>
+    <message>
+        <source>Accessories</source>
+        <translation>Accesorios</translation>
     </message>
 </context>
 <context>
@@ -2858,6 +2953,50 @@
         <source>Cut hair</source>
         <translation>Cortar pelo</translation>
     </message>
+    <message>
+        <source>Fingers</source>
+        <translation>Dedos</translation>
+    </message>
+    <message>
+        <source>Puffs, pinches, spreads or smooths hair where it is drawn over.</source>
+        <translation>Ahuecan, pellizcan, abren o alisan el pelo por donde pasan.</translation>
+    </message>
+    <message>
+        <source>Drag over hair to puff it up; it gets the gel that keeps it</source>
+        <translation>Arrastra sobre el pelo para ahuecarlo; recibe el gel que lo mantiene</translation>
+    </message>
+    <message>
+        <source>Drag along hair to pinch it together in a lock; a click gathers it to a point</source>
+        <translation>Arrastra a lo largo del pelo para reunirlo en un mechón; un clic lo reúne en un punto</translation>
+    </message>
+    <message>
+        <source>Drag along hair to spread it, away from the middle of the stroke</source>
+        <translation>Arrastra a lo largo del pelo para abrirlo, alejándolo del centro del trazo</translation>
+    </message>
+    <message>
+        <source>Drag over hair to make its direction, length, curl and frizz more even</source>
+        <translation>Arrastra sobre el pelo para igualar su dirección, largo, rizo y encrespado</translation>
+    </message>
+    <message>
+        <source>Pinch hair</source>
+        <translation>Pellizcar el pelo</translation>
+    </message>
+    <message>
+        <source>Spread hair</source>
+        <translation>Abrir el pelo</translation>
+    </message>
+    <message>
+        <source>Smooth hair</source>
+        <translation>Alisar el pelo</translation>
+    </message>
+    <message>
+        <source>Puff hair</source>
+        <translation>Ahuecar el pelo</translation>
+    </message>
+    <message>
+        <source>Point at hair, and drag a node of the hairs that are shown; they keep their length</source>
+        <translation>Apunta al pelo y arrastra un nodo de los pelos que se muestran; conservan su largo</translation>
+    </message>
 </context>
 <context>
     <name>ToolOptions</name>
@@ -3029,6 +3168,38 @@
         <source>On the hair that is seen, whatever lies below (T)</source>
         <translation>Sobre el pelo que se ve, haya lo que haya debajo (T)</translation>
     </message>
+    <message>
+        <source>Puff: lift hair off the skin</source>
+        <translation>Ahuecar: levanta el pelo de la piel</translation>
+    </message>
+    <message>
+        <source>Pinch: gather hair in a lock along the stroke</source>
+        <translation>Pellizcar: reúne el pelo en un mechón a lo largo del trazo</translation>
+    </message>
+    <message>
+        <source>Spread: part hairs and locks from each other</source>
+        <translation>Abrir: separa pelos y mechones unos de otros</translation>
+    </message>
+    <message>
+        <source>Smooth: even out how hair lies, is long and curls</source>
+        <translation>Alisar: iguala la caída, el largo y el rizo del pelo</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Fuerza</translation>
+    </message>
+    <message>
+        <source>How much a stroke does; pen pressure makes it less, another stroke more</source>
+        <translation>Cuánto hace un trazo; la presión del lápiz lo reduce, otro trazo lo aumenta</translation>
+    </message>
+    <message>
+        <source>Grab hair wherever it is seen</source>
+        <translation>Agarrar el pelo donde se ve</translation>
+    </message>
+    <message>
+        <source>Bend single hairs by their nodes; the hair around follows</source>
+        <translation>Doblar pelos sueltos por sus nodos; el pelo de alrededor los sigue</translation>
+    </message>
 </context>
 <context>
     <name>Worn</name>
@@ -3100,6 +3271,305 @@
         <source>Change look of ball</source>
         <translation>Cambiar aspecto de la bola</translation>
     </message>
+    <message>
+        <source>Elastic</source>
+        <translation>Elástico</translation>
+    </message>
+    <message>
+        <source>Ribbon</source>
+        <translation>Cinta</translation>
+    </message>
+    <message>
+        <source>Cord</source>
+        <translation>Cordón</translation>
+    </message>
+    <message>
+        <source>Metal ring</source>
+        <translation>Anillo de metal</translation>
+    </message>
+    <message>
+        <source>Ponytail</source>
+        <translation>Coleta</translation>
+    </message>
+    <message>
+        <source>Gathers the active group&apos;s hair, inside the selection if there is one, where the pointer was last on the head; %1 at most</source>
+        <translation>Recoge el pelo del grupo activo, dentro de la selección si la hay, donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Add ponytail</source>
+        <translation>Añadir coleta</translation>
+    </message>
+    <message>
+        <source>Remove ponytail</source>
+        <translation>Quitar coleta</translation>
+    </message>
+    <message>
+        <source>Move ponytail</source>
+        <translation>Mover coleta</translation>
+    </message>
+    <message>
+        <source>Size ponytail</source>
+        <translation>Tamaño de la coleta</translation>
+    </message>
+    <message>
+        <source>Change look of ponytail</source>
+        <translation>Cambiar el aspecto de la coleta</translation>
+    </message>
+    <message>
+        <source>Tie radius</source>
+        <translation>Radio del coletero</translation>
+    </message>
+    <message>
+        <source>Gather hair into a ponytail</source>
+        <translation>Recoger el pelo en una coleta</translation>
+    </message>
+    <message>
+        <source>Bun</source>
+        <translation>Moño</translation>
+    </message>
+    <message>
+        <source>Winds the active group&apos;s hair up, inside the selection if there is one, where the pointer was last on the head; %1 at most</source>
+        <translation>Enrolla el pelo del grupo activo, dentro de la selección si la hay, donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Add bun</source>
+        <translation>Añadir moño</translation>
+    </message>
+    <message>
+        <source>Remove bun</source>
+        <translation>Quitar moño</translation>
+    </message>
+    <message>
+        <source>Move bun</source>
+        <translation>Mover moño</translation>
+    </message>
+    <message>
+        <source>Size bun</source>
+        <translation>Tamaño del moño</translation>
+    </message>
+    <message>
+        <source>Change look of bun</source>
+        <translation>Cambiar el aspecto del moño</translation>
+    </message>
+    <message>
+        <source>Wind hair into a bun</source>
+        <translation>Enrollar el pelo en un moño</translation>
+    </message>
+    <message>
+        <source>Headband</source>
+        <translation>Diadema</translation>
+    </message>
+    <message>
+        <source>&amp;Headband here</source>
+        <translation>&amp;Diadema aquí</translation>
+    </message>
+    <message>
+        <source>A band over the head where the pointer was last on it; %1 at most</source>
+        <translation>Una banda sobre la cabeza donde estuvo el puntero por última vez; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Add headband</source>
+        <translation>Añadir diadema</translation>
+    </message>
+    <message>
+        <source>Remove headband</source>
+        <translation>Quitar diadema</translation>
+    </message>
+    <message>
+        <source>Move headband</source>
+        <translation>Mover diadema</translation>
+    </message>
+    <message>
+        <source>Size headband</source>
+        <translation>Tamaño de la diadema</translation>
+    </message>
+    <message>
+        <source>Change look of headband</source>
+        <translation>Cambiar el aspecto de la diadema</translation>
+    </message>
+    <message>
+        <source>Half width</source>
+        <translation>Media anchura</translation>
+    </message>
+    <message>
+        <source>Ribbon bow</source>
+        <translation>Lazo</translation>
+    </message>
+    <message>
+        <source>A bow where the pointer was last on the head; %1 at most</source>
+        <translation>Un lazo donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Add ribbon bow</source>
+        <translation>Añadir lazo</translation>
+    </message>
+    <message>
+        <source>Remove ribbon bow</source>
+        <translation>Quitar lazo</translation>
+    </message>
+    <message>
+        <source>Move ribbon bow</source>
+        <translation>Mover lazo</translation>
+    </message>
+    <message>
+        <source>Size ribbon bow</source>
+        <translation>Tamaño del lazo</translation>
+    </message>
+    <message>
+        <source>Change look of ribbon bow</source>
+        <translation>Cambiar el aspecto del lazo</translation>
+    </message>
+    <message>
+        <source>Hairpin</source>
+        <translation>Horquilla</translation>
+    </message>
+    <message>
+        <source>A bent wire where the pointer was last on the head; %1 at most</source>
+        <translation>Un alambre doblado donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Add hairpin</source>
+        <translation>Añadir horquilla</translation>
+    </message>
+    <message>
+        <source>Remove hairpin</source>
+        <translation>Quitar horquilla</translation>
+    </message>
+    <message>
+        <source>Move hairpin</source>
+        <translation>Mover horquilla</translation>
+    </message>
+    <message>
+        <source>Size hairpin</source>
+        <translation>Tamaño de la horquilla</translation>
+    </message>
+    <message>
+        <source>Change look of hairpin</source>
+        <translation>Cambiar el aspecto de la horquilla</translation>
+    </message>
+    <message>
+        <source>Half length</source>
+        <translation>Media longitud</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>Flor</translation>
+    </message>
+    <message>
+        <source>A blossom where the pointer was last on the head; %1 at most</source>
+        <translation>Una flor donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Add flower</source>
+        <translation>Añadir flor</translation>
+    </message>
+    <message>
+        <source>Remove flower</source>
+        <translation>Quitar flor</translation>
+    </message>
+    <message>
+        <source>Move flower</source>
+        <translation>Mover flor</translation>
+    </message>
+    <message>
+        <source>Size flower</source>
+        <translation>Tamaño de la flor</translation>
+    </message>
+    <message>
+        <source>Change look of flower</source>
+        <translation>Cambiar el aspecto de la flor</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>Peineta</translation>
+    </message>
+    <message>
+        <source>A comb where the pointer was last on the head; %1 at most</source>
+        <translation>Una peineta donde estuvo el puntero por última vez en la cabeza; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Add comb</source>
+        <translation>Añadir peineta</translation>
+    </message>
+    <message>
+        <source>Remove comb</source>
+        <translation>Quitar peineta</translation>
+    </message>
+    <message>
+        <source>Move comb</source>
+        <translation>Mover peineta</translation>
+    </message>
+    <message>
+        <source>Size comb</source>
+        <translation>Tamaño de la peineta</translation>
+    </message>
+    <message>
+        <source>Change look of comb</source>
+        <translation>Cambiar el aspecto de la peineta</translation>
+    </message>
+    <message>
+        <source>&amp;Ponytail here</source>
+        <translation>&amp;Coleta aquí</translation>
+    </message>
+    <message>
+        <source>Take the tie o&amp;ff</source>
+        <translation>Q&amp;uitar el coletero</translation>
+    </message>
+    <message>
+        <source>&amp;Bun here</source>
+        <translation>&amp;Moño aquí</translation>
+    </message>
+    <message>
+        <source>Take the bun&apos;s tie o&amp;ff</source>
+        <translation>Q&amp;uitar el coletero del moño</translation>
+    </message>
+    <message>
+        <source>Take the headband o&amp;ff</source>
+        <translation>Q&amp;uitar la diadema</translation>
+    </message>
+    <message>
+        <source>&amp;Ribbon bow here</source>
+        <translation>&amp;Lazo aquí</translation>
+    </message>
+    <message>
+        <source>Take the bow o&amp;ff</source>
+        <translation>Q&amp;uitar el lazo</translation>
+    </message>
+    <message>
+        <source>Hairp&amp;in here</source>
+        <translation>&amp;Horquilla aquí</translation>
+    </message>
+    <message>
+        <source>Take the hairpin o&amp;ff</source>
+        <translation>Q&amp;uitar la horquilla</translation>
+    </message>
+    <message>
+        <source>&amp;Flower here</source>
+        <translation>&amp;Flor aquí</translation>
+    </message>
+    <message>
+        <source>Take the flower o&amp;ff</source>
+        <translation>Q&amp;uitar la flor</translation>
+    </message>
+    <message>
+        <source>C&amp;omb here</source>
+        <translation>&amp;Peineta aquí</translation>
+    </message>
+    <message>
+        <source>Take the comb o&amp;ff</source>
+        <translation>Q&amp;uitar la peineta</translation>
+    </message>
+    <message>
+        <source>No hair is left to gather here: paint density, or take another tie off</source>
+        <translation>No queda pelo que recoger aquí: pinta densidad o quita otro coletero</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::AreaMenu</name>
+    <message>
+        <source>Tie and put on</source>
+        <translation>Recoger y poner</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::ClipCommands</name>
@@ -3122,6 +3592,14 @@
     <message>
         <source>Fill %1</source>
         <translation>Rellenar %1</translation>
+    </message>
+    <message>
+        <source>The clipboard holds text, which no map can take; copy a picture or a file</source>
+        <translation>El portapapeles contiene texto, que ningún mapa puede recibir; copia una imagen o un archivo</translation>
+    </message>
+    <message>
+        <source>The clipboard holds nothing that a map can take (%1); copy a picture or a file</source>
+        <translation>El portapapeles no contiene nada que un mapa pueda recibir (%1); copia una imagen o un archivo</translation>
     </message>
 </context>
 <context>
@@ -3269,6 +3747,10 @@
         <source>Import hair &amp;curves…</source>
         <translation>Importar cur&amp;vas de pelo…</translation>
     </message>
+    <message>
+        <source>Loa&amp;d maps…</source>
+        <translation>Cargar ma&amp;pas…</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::FileWork</name>
@@ -3374,6 +3856,13 @@
     <message>
         <source>The Blender add-on was not installed: cancelled</source>
         <translation>No se instaló el complemento de Blender: cancelado</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 imported; %Ln strands left out, which are broken</source>
+        <translation>
+            <numerusform>Se importó %1; se omitió %Ln pelo dañado</numerusform>
+            <numerusform>Se importó %1; se omitieron %Ln pelos dañados</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3505,6 +3994,14 @@
     <message>
         <source>Cuts hair shorter from the top down to the skin at the sides and the nape</source>
         <translation>Corta el pelo cada vez más corto desde arriba hasta la piel en los lados y la nuca</translation>
+    </message>
+    <message>
+        <source>&amp;Tie and put on</source>
+        <translation>Recoger y po&amp;ner</translation>
+    </message>
+    <message>
+        <source>Take o&amp;ff what is chosen</source>
+        <translation>Q&amp;uitar lo elegido</translation>
     </message>
 </context>
 <context>
@@ -3675,10 +4172,6 @@
         <translation>Cargar imagen en %1</translation>
     </message>
     <message>
-        <source>Images (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)</source>
-        <translation>Imágenes (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)</translation>
-    </message>
-    <message>
         <source>Load %1 into %2</source>
         <translation>Cargar %1 en %2</translation>
     </message>
@@ -3697,6 +4190,22 @@
     <message>
         <source>The maps were not written: cancelled</source>
         <translation>No se escribieron los mapas: cancelado</translation>
+    </message>
+    <message>
+        <source>Images (%1)</source>
+        <translation>Imágenes (%1)</translation>
+    </message>
+    <message>
+        <source>Load maps</source>
+        <translation>Cargar mapas</translation>
+    </message>
+    <message>
+        <source>There is no image in &apos;%1&apos;; choose a folder that holds some.</source>
+        <translation>No hay ninguna imagen en «%1»; elige una carpeta que contenga alguna.</translation>
+    </message>
+    <message>
+        <source>the copied image</source>
+        <translation>la imagen copiada</translation>
     </message>
 </context>
 <context>
@@ -4712,6 +5221,13 @@ Se ha perdido esto:</translation>
         <source>Hairline, parting and every painted map go to the same places of the new head. Otherwise the maps stay as they are, for a head with the same layout.</source>
         <translation>El nacimiento del pelo, la raya y todos los mapas pintados pasan a los mismos lugares de la cabeza nueva. Si no, los mapas se quedan como están, para una cabeza con el mismo despliegue.</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln triangles, %1 cm tall; unit and axis are those that the file tells.</source>
+        <translation>
+            <numerusform>%Ln triángulo, %1 cm de alto; la unidad y el eje son los que dice el archivo.</numerusform>
+            <numerusform>%Ln triángulos, %1 cm de alto; la unidad y el eje son los que dice el archivo.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::HeadOverlay</name>
@@ -4973,6 +5489,37 @@ Se ha perdido esto:</translation>
     <message>
         <source>Hair &gt; Cut shortens all hair of the active group, inside the selection if there is one, and shows it at once. Trim takes as much from every hair. Cut to a level ends each hair where it first goes below a height, as it lies now: let it come to rest before. Layers cuts by the distance from the crown, Fade by the height; both leave what is shorter as it is, and where they begin and end is counted from the crown (0 %) down to the nape (100 %).</source>
         <translation>Pelo &gt; Cortar acorta todo el pelo del grupo activo, dentro de la selección si la hay, y lo muestra al momento. Recortar quita lo mismo a cada pelo. Cortar a un nivel termina cada pelo donde baja por primera vez de una altura, tal como cae ahora: antes deje que se aquiete. Capas corta según la distancia a la coronilla, Degradado según la altura; ambos dejan lo más corto como está, y dónde empiezan y terminan se cuenta desde la coronilla (0 %) hasta la nuca (100 %).</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::ImageReadingDialog</name>
+    <message>
+        <source>Read the image</source>
+        <translation>Leer la imagen</translation>
+    </message>
+    <message>
+        <source>What are the pixels of %1 to the map %2?</source>
+        <translation>¿Qué son los píxeles de %1 para el mapa %2?</translation>
+    </message>
+    <message>
+        <source>&amp;Colours of its scale</source>
+        <translation>&amp;Colores de su escala</translation>
+    </message>
+    <message>
+        <source>&amp;Brightness is the value</source>
+        <translation>El &amp;brillo es el valor</translation>
+    </message>
+    <message>
+        <source>The map as it would be</source>
+        <translation>El mapa tal como quedaría</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Cargar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
     </message>
 </context>
 <context>
@@ -5262,6 +5809,33 @@ Se ha perdido esto:</translation>
     </message>
 </context>
 <context>
+    <name>hairpaint::view::MapTableDialog</name>
+    <message>
+        <source>Load maps</source>
+        <translation>Cargar mapas</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>No se carga</translation>
+    </message>
+    <message>
+        <source>Map of %1</source>
+        <translation>Mapa de %1</translation>
+    </message>
+    <message>
+        <source>Hair group of %1</source>
+        <translation>Grupo de pelo de %1</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Cargar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::MapsPanel</name>
     <message>
         <source>Maps</source>
@@ -5271,8 +5845,8 @@ Se ha perdido esto:</translation>
 <context>
     <name>hairpaint::view::MeshSilhouette</name>
     <message>
-        <source>The mesh from the front</source>
-        <translation>La malla de frente</translation>
+        <source>The mesh from the front, beside a person of 1.75 m</source>
+        <translation>La malla de frente, junto a una persona de 1,75 m</translation>
     </message>
 </context>
 <context>
@@ -6004,6 +6578,30 @@ Se ha perdido esto:</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>Made of</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>What it is made of</source>
+        <translation>De qué está hecho</translation>
+    </message>
+    <message>
+        <source>Tightness</source>
+        <translation>Tirantez</translation>
+    </message>
+    <message>
+        <source>How taut hair lies on the head before the tie: at 0 % as loose as a coat, at 100 % on the skin</source>
+        <translation>Cuán tirante queda el pelo en la cabeza antes del coletero: al 0 % suelto como una capa, al 100 % sobre la piel</translation>
+    </message>
+    <message>
+        <source>Bun radius</source>
+        <translation>Radio del moño</translation>
+    </message>
+    <message>
+        <source>How far hair is wound about the tie</source>
+        <translation>Hasta dónde se enrolla el pelo alrededor del coletero</translation>
     </message>
 </context>
 </TS>

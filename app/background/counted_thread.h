@@ -7,7 +7,7 @@
 
 namespace hairpaint::app {
 
-/// Counts as one of them as long as it lives: owned by a thread that was started otherwise and is left to itself.
+/// Counts as such a thread while it exists. For threads that were started otherwise and are detached.
 class ThreadCount
 {
 public:
@@ -19,7 +19,7 @@ public:
     ThreadCount& operator=(ThreadCount&&) = delete;
 };
 
-/// To be joined or detached. `work` owns all that it uses, and is gone when the thread is no longer counted.
+/// The caller joins or detaches it. `work` owns all that it uses and is destroyed before the thread stops counting.
 [[nodiscard]] std::thread countedThread(std::function<void()> work);
 /// Any thread.
 [[nodiscard]] bool anyCountedThread();

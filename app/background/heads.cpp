@@ -17,12 +17,26 @@ constexpr double kSkinFraction = 0.5;
 
 } // namespace
 
-model::Result<ImportedHead> importHead(const QString& path, const model::Progress& progress)
+model::Result<ImportedHead> importHead(const QString& path, const model::HeadChoice& choice,
+                                       const model::Progress& progress)
 {
-    const model::Result<model::RiggedMesh> mesh = model::ImporterClient().readMesh(path, progress);
+    model::Result<model::RiggedMesh> mesh = model::ImporterClient().readMesh(path, progress);
     if (!mesh)
         return tl::unexpected(mesh.error());
-    return remakeHead(QFileInfo(path).completeBaseName(), model::glbFromMesh(*mesh), model::guessHead(*mesh), progress);
+    if (!model::hasLayout(*mesh))
+        return model::cannotOpen(
+            path, model::Clause{.text = model::say(QT_TRANSLATE_NOOP("Files", "all its uv coordinates are the same, so "
+                                                                              "there is nothing to paint on; unwrap it "
+                                                                              "in a 3D program first")),
+                                .cure = model::Clause::Cure::OtherFile});
+    const model::HeadGuess guess = model::chosen(model::guessHead(*mesh), choice);
+    if (choice.facing && !model::turnToFront(*mesh, guess.upAxis, *choice.facing))
+        return model::cannotOpen(
+            path, model::Clause{.text = model::say(QT_TRANSLATE_NOOP("Files", "its face can't look along the axis that "
+                                                                              "is up; choose another axis for one of "
+                                                                              "them")),
+                                .cure = model::Clause::Cure::OtherFile});
+    return remakeHead(QFileInfo(path).completeBaseName(), model::glbFromMesh(*mesh), guess, progress);
 }
 
 model::Result<ImportedHead> remakeHead(const QString& name, const QByteArray& sourceGlb, const model::HeadGuess& guess,

@@ -14,8 +14,9 @@ struct ImportedHead
     model::HeadGuess guess; ///< The unit and axis it was made with.
 };
 
-/// Any mesh that Assimp reads and that has uvs. Blocking; any thread.
-[[nodiscard]] model::Result<ImportedHead> importHead(const QString& path, const model::Progress& progress = {});
+/// Any mesh that the helper reads and that has uvs, in the space that the user or the file tells. Blocking; any thread.
+[[nodiscard]] model::Result<ImportedHead> importHead(const QString& path, const model::HeadChoice& choice = {},
+                                                     const model::Progress& progress = {});
 /// The same source with another unit and axis.
 [[nodiscard]] model::Result<ImportedHead> remakeHead(const QString& name, const QByteArray& sourceGlb,
                                                      const model::HeadGuess& guess,

@@ -29,7 +29,7 @@ namespace hairpaint::app {
 template<typename T>
 using Work = std::function<model::Result<T>(const model::Progress&)>;
 
-/// What is done, and what became of it.
+/// The texts of a job: what it does, and what is shown when it is cancelled.
 struct Doing
 {
     QString text;          ///< As in "Reading head.glb".
@@ -48,11 +48,11 @@ template<typename T>
 struct Awaited
 {
     WorkEnd end = WorkEnd::Done;
-    /// None where it is left; where it was cancelled, what it did all the same.
+    /// None if it was left running. If it was cancelled: the result that it still produced.
     std::optional<model::Result<T>> result;
 };
 
-/// What is made of a result that came in spite of Cancel.
+/// What to do with a result that arrives after Cancel.
 enum class Late
 {
     Used,
@@ -65,19 +65,19 @@ class Jobs : public QObject
     Q_OBJECT
 public:
     explicit Jobs(QWidget& window);
-    ~Jobs() override; ///< Tells what is under way to stop and waits for it; nobody hears of it any more.
+    ~Jobs() override; ///< Stops running jobs and waits for them; their results are dropped.
 
     /// Milliseconds since any moment: what tells how long work takes. Real time unless set.
     using Clock = std::function<qint64()>;
     void setClock(Clock clock) { m_clock = std::move(clock); }
 
-    /// The result, waited for: the window stays alive but takes no input, and what is clicked or typed meanwhile is
+    /// Waits for the result: the window stays alive but takes no input, and what is clicked or typed meanwhile is
     /// lost. After half a second a window shows how far the work is. Its Cancel is all that can be pressed, by mouse or
-    /// with Esc: Enter and Space, which may still have been meant for the dialog before, do nothing. None where the
-    /// work was cancelled, which has been told.
+    /// with Esc: Enter and Space, which may still have been meant for the dialog before, do nothing. None if the
+    /// work was cancelled, which has been reported.
     template<typename T>
     [[nodiscard]] std::optional<model::Result<T>> await(const Doing& doing, const Work<T>& work);
-    /// Waits in the same way until `ready` (asked again and again, on the GUI thread); false where cancelled.
+    /// Waits likewise until `ready` (asked again and again, on the GUI thread); false where cancelled.
     [[nodiscard]] bool awaitUntil(const Doing& doing, const std::function<bool()>& ready);
 
     /// The same for work on a disk that may not answer: what has not stopped a while after Cancel, and computes nothing
@@ -86,10 +86,10 @@ public:
     [[nodiscard]] Awaited<T> awaitOrLeave(const Doing& doing, Work<T> work,
                                           Late late = std::is_void_v<T> ? Late::Used : Late::Dropped);
 
-    /// Nobody waits: `done` gets the result, on the GUI thread, unless `receiver` is gone by then.
+    /// Does not wait: `done` gets the result, on the GUI thread, unless `receiver` is gone by then.
     template<typename T>
     void start(const QString& doing, Work<T> work, QObject* receiver, std::function<void(model::Result<T>)> done);
-    /// Nobody waits, not even the end of the program, for what a disk says that may not answer. The question owns all
+    /// Asks a disk that may not answer. Nothing waits for it, not even the end of the program. The question owns all
     /// that it uses; where it throws, the answer is T().
     template<typename T>
     void ask(std::function<T()> question, QObject* receiver, std::function<void(T)> done);
@@ -98,11 +98,11 @@ public:
     [[nodiscard]] static bool anyLeft();
 
 Q_SIGNALS:
-    /// Something was not done because the user did not want to wait for it: a sentence that names it.
+    /// A job was cancelled by the user: a sentence that names it.
     void cancelled(const QString& sentence);
 
 protected:
-    void customEvent(QEvent* event) override; ///< Something is done that nobody waited for.
+    void customEvent(QEvent* event) override; ///< A job that was not waited for has ended.
 
 private:
     /// Makes what is told of the work, on the GUI thread.

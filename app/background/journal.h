@@ -28,31 +28,30 @@ public:
     /// How long a disk that does not answer is waited for.
     void setPatience(std::chrono::milliseconds patience) { m_thread.setPatience(patience); }
 
-    /// Of the project's file, from the next step on. `file` is asked at each step, on the GUI thread.
+    /// The project's file, from the next step on. `file` is called at each step, on the GUI thread.
     void setPath(const QString& path, std::function<model::KnownFile()> file)
     {
         m_path = path;
         m_file = std::move(file);
     }
-    /// Writes nothing: what is restored is to be taken over at once, not step by step.
+    /// While paused nothing is written: a restored history is taken over as a whole, not step by step.
     void setPaused(bool paused);
     /// The document was restored with this history.
     void takeOver(const model::RecoveredWork& work);
     [[nodiscard]] bool idle() const;                             ///< Nothing waits to be written.
     [[nodiscard]] bool isStopped() const { return m_isStopped; } ///< The newest step is not on the disk.
-    /// When it returns, all steps are on the disk, or can't be.
+    /// Returns when all steps are on the disk or writing them has failed.
     void flush();
-    /// Looks whether its folder is still there, and makes it again where it is not; tries again what could not be
-    /// written. Also done now and then.
+    /// Creates its folder again if it is missing, and retries failed writes. A timer also calls it.
     void lookAfterFolder();
-    /// The work is saved, or not wanted: nothing is left behind.
+    /// Deletes the journal: the work is saved or discarded.
     void discard();
 
 Q_SIGNALS:
     /// A clause. The work goes on, but a crash would lose it; each further step and each look tries again.
     void stopped(const QString& reason);
     void resumed();
-    /// Nothing waits, and all of it is on the disk.
+    /// Everything posted is on the disk.
     void kept();
 
 private:

@@ -34,9 +34,9 @@ QString JournalFolder::fileName()
     return kJournal;
 }
 
-JournalFolder::JournalFolder(std::shared_ptr<const model::OwnFolder> root, QString name, model::OwnFolder place)
-    : m_root(std::move(root)), m_name(std::move(name)),
-      m_place(std::make_shared<const model::OwnFolder>(std::move(place))), m_lock(*m_place, kLock)
+JournalFolder::JournalFolder(std::shared_ptr<const model::OwnFolder> root, QString name, model::OwnFolder own)
+    : m_root(std::move(root)), m_name(std::move(name)), m_own(std::make_shared<const model::OwnFolder>(std::move(own))),
+      m_lock(*m_own, kLock)
 {}
 
 std::unique_ptr<JournalFolder> JournalFolder::create(const QString& root)
@@ -49,11 +49,11 @@ std::unique_ptr<JournalFolder> JournalFolder::create(const QString& root)
         const QString name = QUuid::createUuid().toString(QUuid::WithoutBraces);
         if (!all->makeFolder(name))
             return nullptr;
-        std::optional<model::OwnFolder> place = all->child(name);
-        if (!place)
+        std::optional<model::OwnFolder> own = all->child(name);
+        if (!own)
             continue;
-        std::unique_ptr<JournalFolder> folder(new JournalFolder(all, name, std::move(*place)));
-        if (folder->m_lock.take() == model::OwnLock::State::Taken && folder->m_place->isInPlace()) {
+        std::unique_ptr<JournalFolder> folder(new JournalFolder(all, name, std::move(*own)));
+        if (folder->m_lock.take() == model::OwnLock::State::Taken && folder->m_own->isAtPath()) {
             folder->m_isLocked = true;
             return folder;
         }
@@ -69,15 +69,15 @@ std::vector<std::unique_ptr<JournalFolder>> JournalFolder::abandoned(const QStri
     for (const QString& name : all ? all->names() : QStringList()) {
         if (QUuid::fromString(name).isNull())
             continue; // None of ours.
-        std::optional<model::OwnFolder> place = all->child(name);
-        if (!place)
+        std::optional<model::OwnFolder> own = all->child(name);
+        if (!own)
             continue;
-        std::unique_ptr<JournalFolder> folder(new JournalFolder(all, name, std::move(*place)));
+        std::unique_ptr<JournalFolder> folder(new JournalFolder(all, name, std::move(*own)));
         const model::OwnLock::State lock = folder->m_lock.take();
         if (lock == model::OwnLock::State::Held)
             continue;
         folder->m_isLocked = lock == model::OwnLock::State::Taken;
-        const std::optional<model::OwnEntry> journal = folder->m_place->entry(kJournal);
+        const std::optional<model::OwnEntry> journal = folder->m_own->entry(kJournal);
         if (!journal)
             folder->remove();
         else if (journal->kind == model::OwnEntry::Kind::File)
@@ -94,11 +94,11 @@ std::vector<std::unique_ptr<JournalFolder>> JournalFolder::abandoned(const QStri
 bool JournalFolder::remove()
 {
     // Last of all the lock: who finds the folder without one finds no journal either.
-    m_place->remove(kJournal);
-    m_place->remove(kJournal + QStringLiteral(".new"));
+    m_own->remove(kJournal);
+    m_own->remove(kJournal + QStringLiteral(".new"));
     m_lock.release();
     if (!std::exchange(m_isLocked, false))
-        m_place->remove(kLock); // Of the window that is gone.
+        m_own->remove(kLock); // Of the window that is gone.
     return m_root->removeFolder(m_name) || !m_root->entry(m_name);
 }
 

@@ -17,29 +17,29 @@ namespace hairpaint::app {
 class JournalFolder
 {
 public:
-    /// Where the folders of this user lie.
+    /// The folder that holds the journals of this user.
     [[nodiscard]] static QString root();
-    /// A new one; null where nothing can be written there.
+    /// Creates a new one; null if nothing can be written there.
     [[nodiscard]] static std::unique_ptr<JournalFolder> create(const QString& root);
     /// Those whose windows are gone without having removed them; from now on they are this process's. The one that was
     /// written last comes first.
     [[nodiscard]] static std::vector<std::unique_ptr<JournalFolder>> abandoned(const QString& root);
 
     /// Of the journal.
-    [[nodiscard]] QString file() const { return m_place->pathOf(fileName()); }
+    [[nodiscard]] QString file() const { return m_own->pathOf(fileName()); }
     [[nodiscard]] static QString fileName();
-    [[nodiscard]] const std::shared_ptr<const model::OwnFolder>& place() const { return m_place; }
+    [[nodiscard]] const std::shared_ptr<const model::OwnFolder>& own() const { return m_own; }
     /// False: nothing can be written there, so it may be read but not removed.
     [[nodiscard]] bool isLocked() const { return m_isLocked; }
-    /// With everything of ours in it; false where it is still there.
+    /// Removes it with our files in it; false if it still exists.
     bool remove();
 
 private:
-    JournalFolder(std::shared_ptr<const model::OwnFolder> root, QString name, model::OwnFolder place);
+    JournalFolder(std::shared_ptr<const model::OwnFolder> root, QString name, model::OwnFolder own);
 
     std::shared_ptr<const model::OwnFolder> m_root;
     QString m_name;
-    std::shared_ptr<const model::OwnFolder> m_place;
+    std::shared_ptr<const model::OwnFolder> m_own;
     model::OwnLock m_lock;
     bool m_isLocked = false;
 };

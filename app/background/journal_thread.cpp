@@ -25,7 +25,7 @@ constexpr std::size_t kMostWaiting = 16; ///< Tasks.
 constexpr std::chrono::milliseconds kBetweenLooks{20};
 constexpr double kComputesMs = 3.0; ///< Between two looks: less is the waiting itself.
 
-/// A step between others of its history: those after it hold what it holds, but for the way back.
+/// A step between others of its history: those after it hold what it holds, but for what undoes it.
 bool isPassedOver(const JournalThread::Task& task)
 {
     return task.kind == JournalThread::Task::Kind::Append && task.states.front().count > 0;
@@ -71,18 +71,18 @@ private:
     model::Checked<void> begin()
     {
         // Somebody tidied up: what is written there now has no name, or another one.
-        if (m_writer && !m_writer->isInPlace()) {
+        if (m_writer && !m_writer->isAtPath()) {
             m_states = m_writer->takeStates();
             m_writer.reset();
         }
-        if (m_folder && !m_folder->place()->isInPlace())
+        if (m_folder && !m_folder->own()->isAtPath())
             m_folder.reset();
         if (!m_folder)
             m_folder = JournalFolder::create(m_root);
         if (!m_folder)
             return model::refuse(tr("its folder can't be written to; check that you may write there"));
         if (!m_writer)
-            m_writer = std::make_unique<model::JournalWriter>(m_folder->place(), JournalFolder::fileName(),
+            m_writer = std::make_unique<model::JournalWriter>(m_folder->own(), JournalFolder::fileName(),
                                                               std::exchange(m_states, {}));
         return {};
     }
@@ -96,7 +96,7 @@ private:
             m_states = m_writer->takeStates();
         m_writer.reset();
         if (m_folder)
-            m_folder->place()->remove(JournalFolder::fileName());
+            m_folder->own()->remove(JournalFolder::fileName());
     }
 
     model::Checked<void> handle(const JournalThread::Task& task)
@@ -106,7 +106,7 @@ private:
             return {};
         }
         // What could not be written is not there, whatever stands in the folder.
-        if (task.kind == Kind::LookAfter && !m_isLacking && (!m_writer || m_writer->isClean() || m_writer->isInPlace()))
+        if (task.kind == Kind::LookAfter && !m_isLacking && (!m_writer || m_writer->isClean() || m_writer->isAtPath()))
             return {};
         if (task.kind == Kind::TakeOver) {
             m_writer.reset();

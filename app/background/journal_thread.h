@@ -1,4 +1,4 @@
-// The thread that writes the journal, which whoever waits for it can leave where its disk does not answer.
+// The thread that writes the journal. Waiting for it ends when its disk does not answer.
 #pragma once
 
 #include "model/document/journal_state.h"
@@ -15,7 +15,7 @@
 
 namespace hairpaint::app {
 
-/// All of it is called on one thread, the GUI's.
+/// All functions are called on the GUI thread.
 class JournalThread
 {
 public:
@@ -42,16 +42,16 @@ public:
     JournalThread(JournalThread&&) = delete;
     JournalThread& operator=(JournalThread&&) = delete;
 
-    /// Of steps that come faster than the disk takes them some are left out, but neither the newest nor the first of a
+    /// If steps come faster than the disk writes them, some are skipped, but never the newest or the first of a
     /// history.
     void post(Task task);
     /// Waits until nothing is left to do. False where the disk does not answer: for a while the thread has neither
     /// ended a task nor computed. Then it returns at once until a task ends.
     bool finish();
-    /// The same, but first drops what waits; the thread then removes the journal's folder.
+    /// The same, but first drops waiting tasks; then the thread removes the journal's folder.
     bool discard();
     [[nodiscard]] bool isIdle() const;
-    /// It has been at one task for longer than the disk is waited for.
+    /// Whether one task has taken longer than the time limit for the disk.
     [[nodiscard]] bool isStuck() const;
     /// How long the disk is waited for; 5 s unless set.
     void setPatience(std::chrono::milliseconds patience) { m_patience = patience; }

@@ -6,7 +6,8 @@
 
 namespace hairpaint::app {
 
-/// By a job of `jobs`. Nobody is told where `receiver` is gone by then; it must not outlive the document. GUI thread.
+/// Resolves in a job of `jobs`. If `receiver` no longer exists, nothing is reported; it must not outlive the document.
+/// GUI thread.
 [[nodiscard]] model::MapResolver::Background resolvedByJobs(Jobs& jobs, QObject* receiver);
 
 } // namespace hairpaint::app

@@ -1,11 +1,11 @@
-// How long a thread has been computing.
+// The processor time that a thread has used.
 #pragma once
 
 #include <thread>
 
 namespace hairpaint::app {
 
-/// Milliseconds of processor time; what waits for a disk uses none. Always 0 where the system does not tell. `thread`
+/// Milliseconds of processor time; waiting for a disk uses none. Always 0 if the system cannot tell. `thread`
 /// has not been joined.
 [[nodiscard]] double processorMs(std::thread& thread);
 

@@ -3,7 +3,7 @@
 
 #include "app/cli/terminal.h"
 #include "app/cli/verb_options.h"
-#include "model/disk/output_place.h"
+#include "model/disk/output_path.h"
 #include "model/values/sentences.h"
 
 #include <QFileInfo>

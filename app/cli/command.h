@@ -19,7 +19,7 @@ struct CommandLine
     Q_DECLARE_TR_FUNCTIONS(CommandLine)
 };
 
-/// What the program ends with. Failed comes with exactly one line on standard error that says what and which file.
+/// The exit status of the program. Failed comes with exactly one line on standard error that says what and which file.
 enum class ExitCode : int
 {
     Done = 0,
@@ -59,8 +59,8 @@ struct Command
 [[nodiscard]] QString usageOf(const Command& command);
 /// Usage and purpose as lines; with `options` those of each of them, too.
 [[nodiscard]] QStringList helpOf(const Command& command, bool options);
-/// Runs a verb, or prints its help where the arguments ask for it; where memory runs out, that is one more way to fail,
-/// and the sentence names the project.
+/// Runs a verb, or prints its help where the arguments ask for it; where memory runs out, that fails like any other
+/// error, and the sentence names the project.
 [[nodiscard]] ExitCode run(const Command& command, const QStringList& arguments);
 
 ExitCode runNew(const QStringList& arguments);

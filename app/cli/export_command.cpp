@@ -92,7 +92,7 @@ model::Result<void> exportFilm(SettledHair& hair, const HairMotion& wanted, cons
     model::StagedFiles staged(QFileInfo(output).path());
     if (model::Result<void> ready = staged.check(framePath(output, wanted.film.first)); !ready)
         return ready;
-    QStringList places;
+    QStringList paths;
     hair.setMotion(wanted.motion);
     for (int number = 0; number <= wanted.film.last; ++number) {
         if (!Interruption::progress()(0.0))
@@ -100,13 +100,13 @@ model::Result<void> exportFilm(SettledHair& hair, const HairMotion& wanted, cons
         hair.advance(secondsBefore(number, wanted.film.framesPerSecond));
         if (number < wanted.film.first)
             continue;
-        places += framePath(output, number);
+        paths += framePath(output, number);
         if (model::Result<void> written =
-                model::exportHair(hair.frame(), request, staged.pathFor(places.back()), Interruption::progress());
+                model::exportHair(hair.frame(), request, staged.pathFor(paths.back()), Interruption::progress());
             !written)
-            return tl::unexpected(staged.named(std::move(written.error()), places.back()));
+            return tl::unexpected(staged.named(std::move(written.error()), paths.back()));
     }
-    return staged.publish(places);
+    return staged.publish(paths);
 }
 
 model::Result<void> exportShape(model::Project project, const HairMotion& wanted, const model::ExportRequest& request,

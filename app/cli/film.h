@@ -21,7 +21,7 @@ struct Film
 /// "FILE.0001.png" for "FILE.png".
 [[nodiscard]] QString framePath(const QString& output, int number);
 /// Time from the frame before to frame `number`, in whole steps of the simulation. They are counted from frame 0, so
-/// that what is rounded never adds up.
+/// that rounding errors do not accumulate.
 [[nodiscard]] double secondsBefore(int number, double framesPerSecond);
 
 } // namespace hairpaint::app

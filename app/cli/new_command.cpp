@@ -2,6 +2,7 @@
 #include "app/background/heads.h"
 #include "app/cli/command.h"
 #include "app/cli/option_values.h"
+#include "app/cli/space_options.h"
 #include "app/cli/terminal.h"
 #include "app/styles/library.h"
 #include "model/document/commands.h"
@@ -27,8 +28,6 @@ namespace hairpaint::app {
 namespace {
 
 const QString kCurves = QStringLiteral("curves");
-const QString kCurvesUnit = QStringLiteral("curves-unit");
-const QString kCurvesAxis = QStringLiteral("curves-axis");
 
 /// `[GROUP/]KIND[:grey]=IMAGE`
 struct MapArgument
@@ -113,31 +112,6 @@ model::Result<void> importMap(model::Project& project, const MapArgument& argume
     return {};
 }
 
-/// --curves-unit and --curves-axis; none where either is nonsense, with the usage printed.
-std::optional<model::CurveSpaceChoice> curveSpaceOptions(const QCommandLineParser& parser, const char* command)
-{
-    constexpr std::array<std::pair<const char*, float>, 5> kUnits{
-        {{"m", 1.0F}, {"dm", 0.1F}, {"cm", 0.01F}, {"mm", 0.001F}, {"in", 0.0254F}}};
-    model::CurveSpaceChoice choice;
-    if (const QString unit = parser.value(kCurvesUnit); !unit.isEmpty()) {
-        const auto* const known =
-            std::ranges::find_if(kUnits, [&unit](const auto& one) { return unit == QLatin1StringView(one.first); });
-        if (known == kUnits.end()) {
-            (void)wrongUsage(command, CommandLine::tr("--curves-unit takes m, dm, cm, mm or in, not '%1'").arg(unit));
-            return std::nullopt;
-        }
-        choice.metresPerUnit = known->second;
-    }
-    if (const QString axis = parser.value(kCurvesAxis); !axis.isEmpty()) {
-        if (axis != QLatin1String("y") && axis != QLatin1String("z")) {
-            (void)wrongUsage(command, CommandLine::tr("--curves-axis takes y or z, not '%1'").arg(axis));
-            return std::nullopt;
-        }
-        choice.upAxis = axis == QLatin1String("y") ? model::UpAxis::Y : model::UpAxis::Z;
-    }
-    return choice;
-}
-
 /// Adds a file's groups to the project.
 model::Result<void> importCurves(model::Project& project, const QString& path, const model::CurveSpaceChoice& choice)
 {
@@ -180,6 +154,9 @@ ExitCode runNew(const QStringList& arguments)
     const std::optional<model::CurveSpaceChoice> curveSpace = curveSpaceOptions(parser, kName);
     if (!curveSpace)
         return ExitCode::WrongUsage;
+    const std::optional<model::HeadChoice> headSpace = headSpaceOptions(parser, kName);
+    if (!headSpace)
+        return ExitCode::WrongUsage;
     model::Project project = model::newProject();
     const std::optional<std::int64_t> maxCandidates =
         countOption(parser, kName, kMaxCandidates, project.maxHairs, model::kMostHairs);
@@ -201,7 +178,7 @@ ExitCode runNew(const QStringList& arguments)
     if (const model::Result<void> free = checkOutput(output, inputs); !free)
         return failed(free.error());
     if (const QString mesh = parser.value(QStringLiteral("head")); !mesh.isEmpty()) {
-        model::Result<ImportedHead> head = importHead(mesh);
+        model::Result<ImportedHead> head = importHead(mesh, *headSpace);
         if (!head)
             return failed(head.error());
         project.head = std::move(head->head);

@@ -85,6 +85,14 @@ std::vector<CommandOption> newOptions()
     return {
         projectOutput(),
         {QStringLiteral("--head MESH"), CommandLine::tr("a mesh with uv coordinates instead of the built-in head")},
+        {QStringLiteral("--head-unit UNIT"),
+         CommandLine::tr(
+             "of that mesh: m, dm, cm, mm or in; as it says, or as a head or a body is tall, unless given")},
+        {QStringLiteral("--head-axis y|z"),
+         CommandLine::tr("that points up in that mesh: y or z; as it says, or as it is tall, unless given")},
+        {QStringLiteral("--head-facing AXIS"),
+         CommandLine::tr("where the face of that mesh looks: x, -x, y, -y, z or -z; z, or -y where z points up, unless "
+                         "given")},
         {QStringLiteral("--preset NAME"), CommandLine::tr("a style of the library")},
         {QStringLiteral("--curves ") + fileWith(model::curveFileEndings()),
          CommandLine::tr("hair of another program as hair groups: its density, length, direction, curl and "

@@ -1,4 +1,4 @@
-// Our add-on for Blender, which reads `.hair` files: where it goes, and putting it there.
+// Installs our add-on for Blender, which reads `.hair` files.
 #pragma once
 
 #include "model/values/error.h"

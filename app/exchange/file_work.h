@@ -1,4 +1,4 @@
-// Files of other programs in the window: asked for, read and written with progress, and what went wrong is told.
+// Files of other programs in the window: asks for, reads and writes them with progress, and reports errors.
 #pragma once
 
 #include "app/background/jobs.h"
@@ -25,10 +25,10 @@ public:
     [[nodiscard]] QString askOpenPath(const QString& title, const QString& filter);
     [[nodiscard]] QString askFolder(const QString& title);
 
-    /// What is read of the file `path`. None where it failed, which has been told, or was cancelled.
+    /// Reads the file `path`. None if it failed, which has been reported, or was cancelled.
     template<typename T>
     [[nodiscard]] std::optional<T> read(const QString& path, Work<T> work);
-    /// Writes the file or folder `path`, and tells that it did; false where it failed, which has been told, or was
+    /// Writes the file or folder `path` and reports that; false if it failed, which has been reported, or was
     /// cancelled.
     bool write(const QString& path, Work<void> work) { return write(writingOf(path), path, std::move(work)); }
     bool write(const Doing& doing, const QString& path, Work<void> work);
@@ -50,7 +50,7 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] static Doing readingOf(const QString& path);
-    /// Nothing to be told: it is there, or was cancelled.
+    /// Whether there is no error to report: it succeeded or was cancelled.
     void complainOf(WorkEnd end, const model::Error* error, const QString& path, model::Phrase phrase);
 
     Settings& m_settings;

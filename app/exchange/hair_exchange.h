@@ -27,9 +27,9 @@ public:
     /// Curves of other programs as new hair groups, one undo step.
     void importHair(); ///< Asks for the file.
     void importHairFrom(const QString& path);
-    /// Into every Blender that is there; asks for a folder where there is none.
+    /// Installs the add-on into every Blender found; asks for a folder if there is none.
     void installBlenderAddon();
-    /// The hair of the document as it is, waited for; null where that was cancelled or there is no memory for it.
+    /// Waits for the hair of the document as it is; null if that was cancelled or memory ran out.
     /// `whenCancelled`: as in Doing.
     [[nodiscard]] std::shared_ptr<const sim::StrandFrame> currentHair(const QString& whenCancelled);
 

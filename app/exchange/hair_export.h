@@ -21,7 +21,7 @@ namespace hairpaint::app {
                                                const view::HairExportChoice& choice, const QString& path,
                                                const model::Progress& progress);
 
-/// The cards that it would write, to be looked at.
+/// The cards that it would write, for a preview.
 [[nodiscard]] model::Result<std::shared_ptr<const rendering::CardSet>>
 cardsChosen(const model::Project& project, const std::shared_ptr<const sim::StrandFrame>& frame,
             const view::HairExportChoice& choice, const model::Progress& progress);

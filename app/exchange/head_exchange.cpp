@@ -102,7 +102,7 @@ void HeadExchange::replaceHead(const std::shared_ptr<const model::Head>& head, s
     std::optional<Groups> groups;
     if (carriesHair && document.committed().head && !document.committed().head->landmarks)
         m_files.tell(tr("The head so far has no landmarks; the maps stay as they lie"));
-    // A style that was on its way may come while the hair is carried: what is there then counts.
+    // A style that was being loaded may come while the hair is carried: what is there then counts.
     for (model::Project before; carriesHair && !(groups && before.groups == document.committed().groups);) {
         before = document.committed();
         std::optional<model::Result<Groups>> carried = m_files.jobs().await<Groups>(

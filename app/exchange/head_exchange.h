@@ -22,7 +22,7 @@ public:
 
 private:
     [[nodiscard]] static Doing preparing(const QString& name);
-    /// The head with its landmarks where the user wants them; null where he wants none of it.
+    /// The head with the landmarks that the user set; null if the dialog was cancelled.
     [[nodiscard]] std::shared_ptr<const model::Head> withLandmarksAsked(const std::shared_ptr<const model::Head>& head);
     /// One undo step. The hairstyle is carried to the new head, or its maps stay as they lie.
     void replaceHead(const std::shared_ptr<const model::Head>& head, std::vector<sim::Ellipsoid> ellipsoids,

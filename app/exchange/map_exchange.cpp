@@ -68,7 +68,7 @@ model::ForeignImage foreignFrom(const QImage& image)
     return foreign;
 }
 
-/// An image on its way to a map.
+/// An image that goes to a map.
 struct ReadImage
 {
     model::ForeignImage image;
@@ -232,10 +232,10 @@ std::optional<model::Clip> MapExchange::clipFrom(const QImage& image)
             return std::nullopt;
         isGrey = *told;
     }
-    const QRectF place = m_session.editor().tools().selection().rectangle().value_or(QRectF(0.0, 0.0, 1.0, 1.0));
+    const QRectF area = m_session.editor().tools().selection().rectangle().value_or(QRectF(0.0, 0.0, 1.0, 1.0));
     map = mapOf(m_session.document(), target); // The dialog lets time pass.
     return map == nullptr ? std::nullopt
-                          : std::optional(model::clipFromImage(image, target.map, isGrey, map->size, place));
+                          : std::optional(model::clipFromImage(image, target.map, isGrey, map->size, area));
 }
 
 void MapExchange::exportMap()

@@ -1,4 +1,4 @@
-// A layer in a program of the user's: written as an image, watched, and taken back whenever that program saves it.
+// Edits a layer in another program: writes it as an image, watches that, and reads it whenever that program saves it.
 #pragma once
 
 #include "app/exchange/file_work.h"
@@ -26,7 +26,7 @@ public:
     void begin();
 
 private:
-    /// A layer that is away.
+    /// A layer that another program edits.
     struct Away
     {
         std::optional<model::LayerAddress> layer; ///< None: its project is no longer open.

@@ -18,7 +18,7 @@ struct ShownScene
     QSize px;
 };
 
-/// The same as a picture of `px` is to show it. A picture that is narrower than the area sees all of its width.
+/// The scene as a picture of `px` shows it. A picture narrower than the area still shows its whole width.
 [[nodiscard]] rendering::Scene chosenScene(ShownScene shown, const view::PictureChoice& choice, QSize px,
                                            const model::Head& head);
 

@@ -9,7 +9,7 @@
 namespace hairpaint::app {
 
 /// A file of one part: scan lines of 32-bit floats, ZIP-compressed. `rgba`: [height][width][4], row 0 on top, colours
-/// times alpha, as the format has it. Throws std::bad_alloc.
+/// multiplied by alpha, as the format requires. Throws std::bad_alloc.
 [[nodiscard]] QByteArray exrBytes(std::span<const float> rgba, QSize size);
 
 } // namespace hairpaint::app

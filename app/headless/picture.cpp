@@ -29,7 +29,7 @@ rendering::Scene pictureScene(const model::Project& project, std::shared_ptr<con
             .headInMotion = {},
             .hair = std::move(frame),
             .cards = {},
-            .solids = view::sceneSolids(project.worn),
+            .solids = view::sceneSolids(project.worn, project.head->skin.get()),
             .camera = camera,
             .light = view::sceneLight(project.light),
             .skin = view::sceneSkin(project.skin),

@@ -22,7 +22,7 @@ public:
     SettledHair(model::Project project, double settleSeconds, const SettleOptions& options = {});
 
     [[nodiscard]] const model::Project& project() const { return m_project; }
-    /// From now on the head goes through it again and again while time passes; none: it looks straight ahead.
+    /// From now on the head repeats this motion while time passes; none: it looks straight ahead.
     void setMotion(std::optional<sim::NeckMotion> motion);
     void advance(double seconds);
     [[nodiscard]] std::shared_ptr<const sim::StrandFrame> frame() const;

@@ -1,4 +1,4 @@
-// What a process may still ask the kernel for, by a seccomp filter: a list of what decoders need, and nothing else.
+// The system calls that a process may still make, by a seccomp filter: only those on a list of what decoders need.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ struct ArgumentLimit
     std::uint64_t value = 0;
 };
 
-/// A system call that goes through where all its limits hold. One that stands in several rows goes through where one of
-/// them lets it.
+/// A system call that is allowed if all its limits hold. One that is in several rows is allowed if one of the rows
+/// allows it.
 struct AllowedCall
 {
     int number = 0;

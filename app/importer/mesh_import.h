@@ -1,15 +1,15 @@
-// Foreign meshes, read by Assimp. What else includes it are plain_files and scene_skeleton.
+// Foreign meshes: glTF and VRM by tinygltf, other formats by Assimp.
 #pragma once
 
 #include "model/files/wire_format.h"
 
 #include <tl/expected.hpp>
 
+#include <string>
+
 namespace hairpaint::importer {
 
-/// `path`: UTF-8. All meshes of the scene that have triangles and uvs as one, nodes' transforms applied; others are
-/// left out. uvs are moved into 0..1 a triangle at a time; identical vertices are joined; missing normals are smooth.
-/// Where meshes are skinned, with the scene's joints.
+/// `path`: UTF-8. The scene as one mesh: see scene_flattener.h.
 [[nodiscard]] tl::expected<model::RiggedMesh, wire::Refusal> readMesh(const std::string& path);
 
 } // namespace hairpaint::importer

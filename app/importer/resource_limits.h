@@ -8,7 +8,7 @@ namespace hairpaint::importer {
 /// Call first. Memory about 1.8 GB; where the system can't bound it, the editor's timeout remains.
 void limitResources();
 
-/// That bound as it holds now, in MB; 0 where there is none.
+/// The current memory limit, in MB; 0 if there is none.
 [[nodiscard]] std::uint32_t mostMegabytes();
 
 } // namespace hairpaint::importer

@@ -1,11 +1,11 @@
-// What a decoder that a hostile file has taken over can still reach: next to nothing.
+// Confines a decoder, so that a hostile file that takes it over can reach almost nothing.
 #pragma once
 
 #include <string>
 
 namespace hairpaint::importer {
 
-/// The layers that hold from now on.
+/// The layers of confinement that are in force.
 struct Sandbox
 {
     int landlockVersion = 0;   ///< 0: files are not confined.

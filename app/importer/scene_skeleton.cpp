@@ -10,38 +10,39 @@ namespace hairpaint::importer {
 namespace {
 
 constexpr unsigned kDeepestJoint = 256;
+constexpr int kRoot = 0; ///< Of a scene's nodes.
 
 /// Assimp's own, between a joint of an FBX and the next.
-bool isPivot(const aiNode& node)
+bool isPivot(const SceneNode& node)
 {
-    return std::string_view(node.mName.C_Str()).find("_$AssimpFbx$") != std::string_view::npos;
+    return node.name.find("_$AssimpFbx$") != std::string::npos;
 }
 
-bool isFinite(const aiMatrix4x4& matrix)
+bool isFinite(const glm::mat4& matrix)
 {
-    const float* values = &matrix.a1;
+    const float* values = &matrix[0][0];
     return std::all_of(values, values + 16, [](float value) { return std::isfinite(value); });
 }
 
 /// The inverse; none where there is no such.
-std::optional<aiMatrix4x4> inverseOf(aiMatrix4x4 matrix)
+std::optional<glm::mat4> inverseOf(const glm::mat4& matrix)
 {
-    const float determinant = matrix.Determinant();
+    const float determinant = glm::determinant(matrix);
     if (!isFinite(matrix) || !std::isfinite(determinant) || determinant == 0.0F)
         return std::nullopt;
-    matrix.Inverse();
-    if (!isFinite(matrix))
+    const glm::mat4 inverse = glm::inverse(matrix);
+    if (!isFinite(inverse))
         return std::nullopt;
-    return matrix;
+    return inverse;
 }
 
 /// Without scale and shear: x along the first axis, y as near to the second as may be. No frame where an axis has no
 /// length.
-glm::quat rotationOf(const aiMatrix4x4& matrix)
+glm::quat rotationOf(const glm::mat4& matrix)
 {
     constexpr float kShort = 1e-12F;
-    const glm::vec3 first(matrix.a1, matrix.b1, matrix.c1);
-    const glm::vec3 second(matrix.a2, matrix.b2, matrix.c2);
+    const glm::vec3 first(matrix[0]);
+    const glm::vec3 second(matrix[1]);
     const float firstLength = glm::length(first);
     const float secondLength = glm::length(second);
     if (!(firstLength > kShort) || !(secondLength > kShort))
@@ -95,121 +96,116 @@ struct Heaviest
 
 } // namespace
 
-SceneSkeleton::SceneSkeleton(const aiScene& scene, bool boundByJoints) : m_boundByJoints(boundByJoints)
+SceneSkeleton::SceneSkeleton(const ForeignScene& scene) : m_scene(scene)
 {
-    findBones(scene);
-    findJoints(*scene.mRootNode);
+    findBones();
+    findJoints();
     if (m_joints.size() <= model::HeadSkeleton::kMostJoints)
         return;
     m_onlyNeeded = true;
     m_joints.clear();
-    m_byName.clear();
     m_byNode.clear();
-    findJoints(*scene.mRootNode);
+    findJoints();
 }
 
-void SceneSkeleton::findBones(const aiScene& scene)
+void SceneSkeleton::findBones()
 {
-    for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
-        const aiMesh& mesh = *scene.mMeshes[i];
-        for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-            const aiNode* node = scene.mRootNode->FindNode(mesh.mBones[b]->mName);
-            for (unsigned depth = 0; node != nullptr && depth <= kDeepestJoint; node = node->mParent, ++depth) {
-                if (node == scene.mRootNode && depth > 0)
+    for (const SceneMesh& mesh : m_scene.meshes)
+        for (const SceneBone& bone : mesh.bones) {
+            int node = bone.node;
+            for (unsigned depth = 0; node >= 0 && depth <= kDeepestJoint; node = at(node).parent, ++depth) {
+                if (node == kRoot && depth > 0)
                     break; // It is one only where it is named itself.
                 if (!m_needed.insert(node).second)
                     break;
-                if (node->mParent == scene.mRootNode)
+                if (at(node).parent == kRoot)
                     m_tops.push_back(node);
             }
         }
-    }
 }
 
-void SceneSkeleton::findJoints(const aiNode& root)
+void SceneSkeleton::findJoints()
 {
-    const bool isRootJoint = m_needed.contains(&root) || m_tops.size() > 1; // One stands above all.
+    const bool isRootJoint = m_needed.contains(kRoot) || m_tops.size() > 1; // One stands above all.
     if (isRootJoint)
-        addJoint(root, root.mTransformation, -1);
-    for (const aiNode* top : m_tops)
-        addJoints(*top, root.mTransformation, isRootJoint ? 0 : -1, 0);
+        addJoint(kRoot, at(kRoot).toParent, -1);
+    for (const int top : m_tops)
+        addJoints(top, at(kRoot).toParent, isRootJoint ? 0 : -1, 0);
 }
 
-int SceneSkeleton::addJoint(const aiNode& node, const aiMatrix4x4& toWorld, int parent)
+int SceneSkeleton::addJoint(int node, const glm::mat4& toWorld, int parent)
 {
     const auto own = static_cast<int>(m_joints.size());
-    m_joints.push_back({.node = &node, .parent = parent, .toWorld = toWorld});
-    m_byNode.emplace(&node, own);
-    m_byName.try_emplace(node.mName.C_Str(), own);
+    m_joints.push_back({.node = node, .parent = parent, .toWorld = toWorld});
+    m_byNode.emplace(node, own);
     return own;
 }
 
-bool SceneSkeleton::isJoint(const aiNode& node) const
+bool SceneSkeleton::isJoint(int node) const
 {
-    if (isPivot(node))
+    if (isPivot(at(node)))
         return false;
-    return (node.mNumMeshes == 0 && !m_onlyNeeded) || m_needed.contains(&node);
+    return (at(node).meshes.empty() && !m_onlyNeeded) || m_needed.contains(node);
 }
 
-void SceneSkeleton::addJoints(const aiNode& node, const aiMatrix4x4& parentToWorld, int parent, unsigned depth)
+void SceneSkeleton::addJoints(int node, const glm::mat4& parentToWorld, int parent, unsigned depth)
 {
     if (depth > kDeepestJoint || m_joints.size() > model::HeadSkeleton::kMostJoints)
         return;
-    const aiMatrix4x4 toWorld = parentToWorld * node.mTransformation;
+    const glm::mat4 toWorld = parentToWorld * at(node).toParent;
     // A pivot above all joints would leave several without a parent.
     const int own = isJoint(node) || parent < 0 ? addJoint(node, toWorld, parent) : parent;
-    for (unsigned i = 0; i < node.mNumChildren; ++i)
-        addJoints(*node.mChildren[i], toWorld, own, depth + 1);
+    for (const int child : at(node).children)
+        addJoints(child, toWorld, own, depth + 1);
 }
 
-int SceneSkeleton::indexOf(const aiString& name) const
+int SceneSkeleton::indexOf(int node) const
 {
-    const auto found = m_byName.find(name.C_Str());
-    return found == m_byName.end() ? -1 : found->second;
+    const auto found = m_byNode.find(node);
+    return found == m_byNode.end() ? -1 : found->second;
 }
 
-int SceneSkeleton::jointAbove(const aiNode& node) const
+int SceneSkeleton::jointAbove(int node) const
 {
-    for (const aiNode* at = &node; at != nullptr; at = at->mParent)
-        if (const auto found = m_byNode.find(at); found != m_byNode.end())
-            return found->second;
+    for (int above = node; above >= 0; above = at(above).parent)
+        if (const int joint = indexOf(above); joint >= 0)
+            return joint;
     return 0;
 }
 
-aiMatrix4x4 SceneSkeleton::placed(const aiMesh& mesh, const aiMatrix4x4& toWorld) const
+glm::mat4 SceneSkeleton::meshToWorld(const SceneMesh& mesh, const glm::mat4& toWorld) const
 {
-    if (!m_boundByJoints)
+    if (!m_scene.boundByJoints)
         return toWorld;
-    const aiBone* highest = nullptr;
+    const SceneBone* highest = nullptr;
     int first = static_cast<int>(m_joints.size());
-    for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-        const int joint = indexOf(mesh.mBones[b]->mName);
+    for (const SceneBone& bone : mesh.bones) {
+        const int joint = indexOf(bone.node);
         if (joint >= 0 && joint < first) { // Parents come before their children.
             first = joint;
-            highest = mesh.mBones[b];
+            highest = &bone;
         }
     }
-    return highest == nullptr ? toWorld : m_joints[static_cast<std::size_t>(first)].toWorld * highest->mOffsetMatrix;
+    return highest == nullptr ? toWorld : m_joints[static_cast<std::size_t>(first)].toWorld * highest->meshToNode;
 }
 
-std::vector<model::BoneWeights> SceneSkeleton::weightsOf(const aiMesh& mesh, const aiNode& node,
-                                                         const aiMatrix4x4& placed)
+std::vector<model::BoneWeights> SceneSkeleton::weightsOf(const SceneMesh& mesh, int node, const glm::mat4& meshToWorld)
 {
     if (m_joints.empty())
         return {};
-    std::vector<Heaviest> heaviest(mesh.mNumVertices);
-    for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-        const aiBone& bone = *mesh.mBones[b];
-        const int joint = indexOf(bone.mName);
-        if (joint < 0)
+    std::vector<int> joints;
+    for (const SceneBone& bone : mesh.bones) {
+        joints.push_back(indexOf(bone.node));
+        if (joints.back() < 0)
             continue;
-        std::optional<aiMatrix4x4>& bound = m_joints[static_cast<std::size_t>(joint)].bound;
-        if (const std::optional<aiMatrix4x4> back = inverseOf(bone.mOffsetMatrix); back && !bound)
-            bound = placed * *back;
-        for (unsigned i = 0; i < bone.mNumWeights; ++i)
-            if (bone.mWeights[i].mVertexId < mesh.mNumVertices)
-                heaviest[bone.mWeights[i].mVertexId].add(joint, bone.mWeights[i].mWeight);
+        std::optional<glm::mat4>& bound = m_joints[static_cast<std::size_t>(joints.back())].bound;
+        if (const std::optional<glm::mat4> back = inverseOf(bone.meshToNode); back && !bound)
+            bound = meshToWorld * *back;
     }
+    std::vector<Heaviest> heaviest(mesh.positions.size());
+    for (const VertexWeight& weight : mesh.weights)
+        if (joints[weight.bone] >= 0)
+            heaviest[weight.vertex].add(joints[weight.bone], weight.weight);
     const int otherwise = jointAbove(node);
     std::vector<model::BoneWeights> weights;
     weights.reserve(heaviest.size());
@@ -218,30 +214,29 @@ std::vector<model::BoneWeights> SceneSkeleton::weightsOf(const aiMesh& mesh, con
     return weights;
 }
 
-model::HeadSkeleton SceneSkeleton::joints(const BoneNames& bones) const
+model::HeadSkeleton SceneSkeleton::joints() const
 {
     if (m_joints.size() > model::HeadSkeleton::kMostJoints)
         return {};
     model::HeadSkeleton skeleton;
-    std::vector<aiMatrix4x4> toWorld;
-    std::vector<model::JointPlace> places;
+    std::vector<glm::mat4> toWorld;
+    std::vector<model::JointPose> poses;
     for (const Joint& joint : m_joints) {
-        aiMatrix4x4 own = joint.toWorld;
+        glm::mat4 own = joint.toWorld;
         if (joint.bound) {
             own = *joint.bound;
         } else if (joint.parent >= 0) {
             const auto parent = static_cast<std::size_t>(joint.parent);
-            if (const std::optional<aiMatrix4x4> back = inverseOf(m_joints[parent].toWorld))
+            if (const std::optional<glm::mat4> back = inverseOf(m_joints[parent].toWorld))
                 own = toWorld[parent] * (*back * joint.toWorld);
         }
         toWorld.push_back(own);
-        places.push_back({.position = {own.a4, own.b4, own.c4}, .rotation = rotationOf(own)});
-        const std::string_view name(joint.node->mName.C_Str(), joint.node->mName.length);
-        const auto bone = bones.find(std::string(name));
+        poses.push_back({.position = glm::vec3(own[3]), .rotation = rotationOf(own)});
+        const SceneNode& node = at(joint.node);
         skeleton.joints.push_back(
-            {.name = model::jointNameOf(bone == bones.end() ? name : bone->second), .parent = joint.parent});
+            {.name = model::jointNameOf(node.boneName.empty() ? node.name : node.boneName), .parent = joint.parent});
     }
-    setPlaces(skeleton, places);
+    setPoses(skeleton, poses);
     return skeleton;
 }
 

@@ -1,4 +1,4 @@
-// What a disk says of a file, to know it and its changes by.
+// Size, time and identity of a file on its disk, by which it and its changes are recognised.
 #pragma once
 
 #include <QString>
@@ -13,12 +13,12 @@ struct FileStamp
     qint64 modifiedMs = 0; ///< Since 1970, UTC: the same in every time zone.
 };
 
-/// Returns when the disk has answered, so it is not for the GUI thread.
+/// Blocks until the disk answers; not for the GUI thread.
 [[nodiscard]] FileStamp stampOf(const QString& path);
 
-/// It is there, and it is not what it was.
+/// Whether it exists and differs from what it was.
 [[nodiscard]] bool isChanged(const FileStamp& before, const FileStamp& now);
-/// It was there, and is no more.
+/// Whether it existed and no longer does.
 [[nodiscard]] bool isGone(const FileStamp& before, const FileStamp& now);
 
 } // namespace hairpaint::app

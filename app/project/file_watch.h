@@ -1,4 +1,4 @@
-// Hears when a file is written, replaced or removed, by whomever.
+// Reports when any program writes, replaces or removes a file.
 #pragma once
 
 #include "app/background/jobs.h"

@@ -24,7 +24,8 @@ struct OpenFile::Lock
     model::OwnFolder folder;
     model::OwnLock lock;
 
-    Lock(model::OwnFolder place, const QString& wholeName) : folder(std::move(place)), lock(folder, lockName(wholeName))
+    Lock(model::OwnFolder opened, const QString& wholeName)
+        : folder(std::move(opened)), lock(folder, lockName(wholeName))
     {}
 
     /// Null where there is no folder of locks, and none can be made.

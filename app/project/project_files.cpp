@@ -349,7 +349,7 @@ bool ProjectFiles::saveUnder(const QString& suggested)
 bool ProjectFiles::saveElsewhere(const QString& path)
 {
     // A dialog that began in the folder would wait for it too.
-    return offerAnotherPlace(model::cannotWrite(path, model::silentDisk()).value().message) &&
+    return offerAnotherPath(model::cannotWrite(path, model::silentDisk()).value().message) &&
            saveUnder(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QLatin1Char('/') +
                      QFileInfo(path).fileName());
 }
@@ -430,7 +430,7 @@ bool ProjectFiles::saveTo(const QString& path, Changed changed)
         return saveElsewhere(path);
     }
     if (!*saved.result)
-        return saved.end != WorkEnd::Cancelled && offerAnotherPlace(saved.result->error().message) && saveAs();
+        return saved.end != WorkEnd::Cancelled && offerAnotherPath(saved.result->error().message) && saveAs();
     if ((*saved.result)->wasChanged)
         return answerOutside();
     // A number that was being typed may have become a step meanwhile, which the file does not hold.
@@ -440,7 +440,7 @@ bool ProjectFiles::saveTo(const QString& path, Changed changed)
     return true;
 }
 
-bool ProjectFiles::offerAnotherPlace(const QString& problem)
+bool ProjectFiles::offerAnotherPath(const QString& problem)
 {
     QMessageBox box(QMessageBox::Warning, tr("Save project"), problem, QMessageBox::Cancel, &m_window);
     const QPushButton* other = box.addButton(tr("&Save under another name..."), QMessageBox::AcceptRole);

@@ -33,7 +33,7 @@ public:
     /// Draws the picture that files are saved with, on a thread of the jobs'; made anew for each file, on this one.
     using Picture = std::function<QImage(const model::Progress&)>;
     void setThumbnailMaker(std::function<Picture()> maker);
-    /// As it was when this window last read or wrote it.
+    /// The stamp of the file when this window last read or wrote it.
     [[nodiscard]] model::KnownFile knownFile() const;
     /// The open project came from here; from nowhere, it may have a name all the same. Without a stamp the disk is
     /// asked for it.
@@ -52,7 +52,7 @@ public:
     bool saveAs();
     /// Offers to save; false where the user wants to stay.
     bool mayDiscard();
-    /// Looks whether others have changed the file; not every system tells of it.
+    /// Checks whether another program has changed the file; not every system reports that.
     void lookOutside() { m_watch.look(); }
     [[nodiscard]] bool isLooking() const { return m_watch.isLooking(); } ///< At the file, for what others did to it.
 
@@ -89,7 +89,7 @@ private:
     };
     bool saveTo(const QString& path, Changed changed);
     bool saveUnder(const QString& suggested);
-    /// Tells of a disk that does not answer.
+    /// Reports that a disk does not answer.
     bool saveElsewhere(const QString& path);
     struct Saved
     {
@@ -99,7 +99,7 @@ private:
     [[nodiscard]] Work<Saved> savingOf(const QString& path, Changed changed);
     /// An earlier save there was left to itself and has not ended.
     [[nodiscard]] bool isLeft(const QString& path) const;
-    /// Asks before this window saves over what another one does, or another program has done.
+    /// Asks before this window overwrites a file that another window has open or another program has changed.
     [[nodiscard]] bool mayOpenTwice(const QString& path);
     enum class Outside
     {
@@ -110,9 +110,9 @@ private:
     [[nodiscard]] Outside askAboutOutside();
     bool answerOutside();
     void tellOfOutside(const FileStamp& now);
-    /// What the file was like by all that is known; an empty one where that is nothing.
+    /// The last known stamp of the file; empty if none is known.
     [[nodiscard]] FileStamp stampBefore() const;
-    [[nodiscard]] bool offerAnotherPlace(const QString& problem);
+    [[nodiscard]] bool offerAnotherPath(const QString& problem);
     [[nodiscard]] bool offerRepair(const QString& problem);
     void complain(const QString& message);
 

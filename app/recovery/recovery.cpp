@@ -29,7 +29,7 @@ UnsavedWork offerOf(const RestoredWork& found)
             .path = state.path,
             .changed = QDateTime::fromMSecsSinceEpoch(state.timeMs),
             .steps = static_cast<int>(found.work.current),
-            .unwritable = found.folder->isLocked() ? QString() : found.folder->place()->path()};
+            .unwritable = found.folder->isLocked() ? QString() : found.folder->own()->path()};
 }
 
 struct FoundWork
@@ -46,7 +46,7 @@ model::Result<FoundWork> readJournals(const QString& root, const model::Progress
     for (std::size_t i = 0; i < folders.size(); ++i) {
         std::unique_ptr<JournalFolder>& folder = folders[i];
         model::Result<std::optional<model::RecoveredWork>> read =
-            model::readJournal(*folder->place(), JournalFolder::fileName(),
+            model::readJournal(*folder->own(), JournalFolder::fileName(),
                                [&](double done) { return progress((static_cast<double>(i) + done) / count); });
         if (!progress(static_cast<double>(i + 1) / count))
             return model::cancelled(root); // They are there at the next start.

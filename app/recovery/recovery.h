@@ -1,4 +1,4 @@
-// At the start: what other windows left unsaved, and what becomes of it.
+// At the start: offers the unsaved work of windows that ended without saving.
 #pragma once
 
 #include "app/background/jobs.h"

@@ -1,4 +1,4 @@
-// Asks what becomes of work that was not saved when the program ended.
+// Asks whether to restore or discard work that was not saved when the program ended.
 #pragma once
 
 #include <QDateTime>
@@ -13,7 +13,7 @@ class QListWidget;
 
 namespace hairpaint::app {
 
-/// What one window left.
+/// The unsaved work of one window.
 struct UnsavedWork
 {
     QString name; ///< Of the project.

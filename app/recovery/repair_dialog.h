@@ -1,4 +1,4 @@
-// Tells what a repair could not bring back.
+// Lists what a repair could not restore.
 #pragma once
 
 #include <QDialog>

@@ -1,4 +1,4 @@
-// Being told to end from outside: by kill, by a closed terminal, by the end of a login.
+// Reports requests to end from outside: kill, a closed terminal, the end of a login.
 #pragma once
 
 #include <QObject>

@@ -1,4 +1,4 @@
-// When freed memory goes back to the system.
+// Returns freed memory to the system.
 #pragma once
 
 namespace hairpaint::app {

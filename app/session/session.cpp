@@ -47,7 +47,7 @@ Session::~Session()
 
 Session::Hair Session::hair() const
 {
-    if (m_document.resolving() || (!m_wholeHair.expired() && m_frame && sim::placedDetail(*m_frame) < 1.0F))
+    if (m_document.resolving() || (!m_wholeHair.expired() && m_frame && sim::frameDetail(*m_frame) < 1.0F))
         return Hair::Underway;
     if (m_frame && m_frame->revision == m_document.revision() && !m_frame->preview)
         return Hair::Current;
@@ -170,11 +170,11 @@ void Session::tellDetail()
     constexpr float kSpare = 1.25F;
     constexpr float kWorthless = 1.6F;
     const float needed = m_wholeHair.expired() ? std::min(m_drawnDetail, 1.0F) : 1.0F;
-    const float placed = std::min(needed * kSpare, 1.0F);
-    if (needed <= m_placedDetail && m_placedDetail <= placed * kWorthless)
+    const float detail = std::min(needed * kSpare, 1.0F);
+    if (needed <= m_frameDetail && m_frameDetail <= detail * kWorthless)
         return;
-    m_placedDetail = placed;
-    m_worker->setDetail(placed);
+    m_frameDetail = detail;
+    m_worker->setDetail(detail);
 }
 
 void Session::sendInput()

@@ -17,7 +17,7 @@ namespace hairpaint::app {
 /// Owns what outlives every view: the document, what the user works with, and the simulation. GUI thread.
 ///
 /// Document changes are gathered until the event loop is idle, then one snapshot goes to the worker (latest wins); its
-/// frames come back the same way.
+/// frames come back likewise.
 class Session : public QObject
 {
     Q_OBJECT
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] view::EditorState& editor() { return m_editor; }
     [[nodiscard]] const std::shared_ptr<const sim::StrandFrame>& frame() const { return m_frame; }
     [[nodiscard]] bool paused() const { return m_paused; }
-    /// No other frame comes before something else is asked for.
+    /// Whether no other frame will come until something changes.
     [[nodiscard]] bool resting() const;
 
     enum class Hair : std::uint8_t
@@ -39,16 +39,16 @@ public:
         Failed    ///< There was no memory for it.
     };
     [[nodiscard]] Hair hair() const;
-    /// Before something is made of the hair: keeps a stroke, drops what is only shown. Its frame is soon there.
+    /// Call before computing from the hair: commits a stroke and drops previews. Its frame follows soon.
     void endPreviews();
 
     /// The hair in that map's colours, its own again with none. Outside undo; the hair's motion goes on.
     void lookAt(std::optional<model::MapKind> map);
     /// How long the 3D area took to draw a frame of hair in motion: no more frames are made than it can draw.
     void setDrawTime(double milliseconds);
-    /// Hairs whose StrandStyle::detail is below are drawn: while hair moves no others need be placed.
+    /// Hairs whose StrandStyle::detail is below are drawn: while hair moves no others need positions.
     void setDrawnDetail(float detail);
-    /// As long as somebody holds it frames hold every hair, and hair() waits for one that does.
+    /// While the returned object exists, frames contain every hair, and hair() waits for such a frame.
     [[nodiscard]] std::shared_ptr<const void> wholeHair();
 
 public Q_SLOTS:
@@ -87,9 +87,9 @@ private:
     double m_drawMs = 0.0;                            ///< Smoothed.
     double m_frameRate = 0.0;                         ///< As the worker was told.
     float m_drawnDetail = 1.0F;
-    float m_placedDetail = 1.0F; ///< As the worker was told.
+    float m_frameDetail = 1.0F; ///< As the worker was told.
     std::weak_ptr<const void> m_wholeHair;
-    std::shared_ptr<const void> m_hairOfTool; ///< While a tool may cut it: what is not placed would stay as it is.
+    std::shared_ptr<const void> m_hairOfTool; ///< While a tool may cut it: what is not positioned would stay as it is.
     std::unique_ptr<sim::SimulationWorker> m_worker; ///< Last: it calls back until it is gone.
 };
 

@@ -143,7 +143,7 @@ void Settings::setToolOption(const QString& key, double value)
     m_settings.setValue(QStringLiteral("tools/") + key, value);
 }
 
-std::optional<QPoint> Settings::dialogPlace(const QString& dialog) const
+std::optional<QPoint> Settings::dialogPosition(const QString& dialog) const
 {
     const QVariantList position = m_settings.value(QStringLiteral("places/") + dialog).toList();
     if (position.size() != 2)
@@ -154,7 +154,7 @@ std::optional<QPoint> Settings::dialogPlace(const QString& dialog) const
     return QPoint(coordinate(position[0]), coordinate(position[1]));
 }
 
-void Settings::setDialogPlace(const QString& dialog, QPoint position)
+void Settings::setDialogPosition(const QString& dialog, QPoint position)
 {
     m_settings.setValue(QStringLiteral("places/") + dialog, QVariantList{position.x(), position.y()});
 }

@@ -1,4 +1,4 @@
-// What the program remembers between runs.
+// Settings that are kept between runs.
 #pragma once
 
 #include "app/settings/settings_store.h"
@@ -29,7 +29,7 @@ public:
     void addRecentFile(const QString& path);
     void removeRecentFile(const QString& path);
 
-    /// Where file dialogs open.
+    /// The folder in which file dialogs open.
     [[nodiscard]] QString lastFolder() const;
     void setLastFolder(const QString& folder);
 
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] bool viewTurned() const;
     void setViewTurned();
 
-    /// Whom avatars name as their author.
+    /// The author that exported avatars name.
     [[nodiscard]] QString avatarAuthor() const;
     void setAvatarAuthor(const QString& author);
 
@@ -50,8 +50,8 @@ public:
     void setToolOption(const QString& key, double value);
 
     /// Where the user left a dialog, global px; none where it stays where it opens.
-    [[nodiscard]] std::optional<QPoint> dialogPlace(const QString& dialog) const;
-    void setDialogPlace(const QString& dialog, QPoint position);
+    [[nodiscard]] std::optional<QPoint> dialogPosition(const QString& dialog) const;
+    void setDialogPosition(const QString& dialog, QPoint position);
 
     /// A rebound key; none where the default holds.
     [[nodiscard]] std::optional<QKeySequence> key(const QString& actionId) const;

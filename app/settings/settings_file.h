@@ -43,8 +43,8 @@ public:
     /// Puts the changes into the file, as it is then; waits for nothing. Changes that are still waiting are replaced,
     /// so all that is not known to be written belongs into them. `isClearing`: all else goes.
     void write(Changes changes, bool isClearing);
-    /// Waits until all is written, or can't be. False where the disk has not answered for as long as it is waited for:
-    /// then it returns at once until it answers, and what was to be written is written when it does.
+    /// Waits until everything is written or has failed. False where the disk has not answered for as long as it is
+    /// waited for: then it returns at once until it answers, and what was to be written is written when it does.
     [[nodiscard]] bool finish() const;
     /// Of what was written last, once.
     [[nodiscard]] std::optional<Written> takeWritten();

@@ -1,4 +1,4 @@
-// What the tools were set to, from start to start.
+// Keeps the options of the tools between runs.
 #pragma once
 
 #include "app/settings/settings.h"

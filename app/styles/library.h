@@ -7,7 +7,7 @@
 
 namespace hairpaint::app {
 
-/// Made when a style is first saved there.
+/// Created when a style is first saved there.
 [[nodiscard]] QString ownPresetFolder();
 
 /// By name, without regard to case, or by path.
@@ -18,7 +18,7 @@ namespace hairpaint::app {
 /// A new project without hair; what is painted on it differs from hair to hair as people's does. Any thread.
 [[nodiscard]] model::Project baldProject();
 
-/// What a bald head stands under in the list of styles; no file.
+/// The entry of the bald head in the list of styles; not a file.
 [[nodiscard]] QString baldStylePath();
 /// The styles as the window lists them: a bald head first, then model::listPresets.
 [[nodiscard]] std::vector<model::PresetEntry> listStyles(QStringList* problems = nullptr);
@@ -33,7 +33,7 @@ namespace hairpaint::app {
 /// nothing changes where `progress` says no in time. Reads and writes the whole style. Any thread.
 [[nodiscard]] model::Result<void> renameStyle(const QString& path, const QString& name,
                                               const model::Progress& progress = {});
-/// Where the user's own style of that name lies.
+/// The path of the user's own style of that name.
 [[nodiscard]] QString ownStylePath(const QString& name);
 
 } // namespace hairpaint::app

@@ -19,7 +19,7 @@ class PictureMaker;
 /// The style as it hangs on the head of new projects after two calm seconds. Null where `progress` stops it.
 [[nodiscard]] QImage stylePicture(const model::Preset& preset, PictureMaker& maker,
                                   const model::Progress& progress = {});
-/// A project's hair at a moment, framed in the same way; null where nothing can be drawn.
+/// A project's hair at a moment, framed alike; null where nothing can be drawn.
 [[nodiscard]] QImage stylePicture(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
                                   PictureMaker& maker, const model::Progress& progress = {});
 /// The same of a project that nobody works on. Any thread.
@@ -38,9 +38,9 @@ public:
     explicit StylePictures(Jobs& jobs, Draw draw = {}, QObject* parent = nullptr);
 
     void make(const QString& path);
-    /// The library is another one now: what was asked for and has not come is wanted no more.
+    /// The library has changed: pending requests are dropped.
     void forget();
-    /// Nothing is asked for that has not come.
+    /// Whether no request is pending.
     [[nodiscard]] bool idle() const { return !m_busy && m_wanted.isEmpty(); }
 
 Q_SIGNALS:

@@ -1,4 +1,4 @@
-// What a file that is dropped on the window, or named to the program, is taken for.
+// The kind of a file that is dropped on the window or named on the command line.
 #pragma once
 
 #include "model/project/map_spec.h"

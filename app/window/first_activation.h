@@ -1,4 +1,4 @@
-// What the program begins with once its window has the keys.
+// Runs the first action of the program once its window has the keyboard focus.
 #pragma once
 
 #include <QObject>

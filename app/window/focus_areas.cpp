@@ -1,4 +1,4 @@
-// The keyboard's way through the window: see the header.
+// The order of the keyboard's focus through the window: see the header.
 #include "app/window/focus_areas.h"
 
 #include "view/widgets/bar_slider.h"

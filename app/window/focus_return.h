@@ -1,4 +1,4 @@
-// Keys go to a dialog that opens over the window, and to the window again when it has closed.
+// Gives the keyboard focus to a dialog that opens over the window, and back to the window when it closes.
 #pragma once
 
 #include <QObject>

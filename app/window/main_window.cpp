@@ -69,7 +69,7 @@ MainWindow::MainWindow(model::Project project, const QString& path, std::unique_
       m_journal(m_session.document(), JournalFolder::root()), m_exchange(m_session, m_settings, m_jobs, *this),
       m_actions(m_settings, *this), m_preferences(m_settings), m_clipCommands(m_session, m_exchange.maps()),
       m_dialogs(*this, m_session.editor(), m_actions, m_preferences), m_focusReturn(this),
-      m_dialogPlaces(*this, m_settings, [this] {
+      m_dialogPositions(*this, m_settings, [this] {
           const view::HeadView& head = m_workspace->headView();
           return head.isVisible() ? QRect(head.mapToGlobal(QPoint(0, 0)), head.size()) : QRect();
       })
@@ -205,6 +205,10 @@ void MainWindow::connectAreas()
             m_settings.setViewTurned();
             hint->deleteLater();
         });
+        // A tool that draws over the picture begins beside the head, too.
+        view::ToolBox& tools = m_session.editor().tools();
+        const auto follow = [hint, &tools] { hint->setVisible(tools.active().pictureHandler() == nullptr); };
+        connect(&tools, &view::ToolBox::activeChanged, hint, follow);
     }
     const auto showMessage = [&status](const QString& text) { status.showMessage(text); };
     connect(&head, &view::HeadView::statusText, &status, showMessage);
@@ -309,10 +313,10 @@ void MainWindow::keepWork()
     m_session.document().settle(); // A stroke under way is work too.
     m_journal.lookAfterFolder();
     m_journal.flush();
-    rememberPlace();
+    rememberGeometry();
 }
 
-void MainWindow::rememberPlace()
+void MainWindow::rememberGeometry()
 {
     m_settings.setWindowGeometry(saveGeometry());
     rememberToolOptions(m_settings, m_session.editor());
@@ -359,7 +363,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     m_journal.discard();
     forgetRestored();
-    rememberPlace();
+    rememberGeometry();
     event->accept();
 }
 

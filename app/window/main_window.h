@@ -7,7 +7,7 @@
 #include "app/project/project_files.h"
 #include "app/session/freed_memory.h"
 #include "app/session/session.h"
-#include "app/settings/dialog_places.h"
+#include "app/settings/dialog_positions.h"
 #include "app/settings/settings.h"
 #include "app/window/action_set.h"
 #include "app/window/clip_commands.h"
@@ -47,15 +47,15 @@ public:
     [[nodiscard]] view::PaintView& paintView();
     [[nodiscard]] view::HeadView& headView();
 
-    /// The first that it does: offers unsaved work, then opens `file`, if any. A project whose unsaved work was
+    /// The first action: offers unsaved work, then opens `file`, if any. A project whose unsaved work was
     /// restored is open then; nor is what was restored replaced by another one.
     void begin(const QString& file);
-    /// Asks what becomes of work that windows which are gone left unsaved; nothing happens where there is none. That on
-    /// `file` is offered first. Whether some was restored.
+    /// Offers the unsaved work of windows that ended; does nothing if there is none. That on
+    /// `file` is offered first. Returns whether some was restored.
     bool offerUnsavedWork(const QString& file = {});
-    /// Before the program ends without asking: all that was done is in the journal when it returns.
+    /// For ending without asking: writes all steps to the journal before it returns.
     void keepWork();
-    /// All that was done is in the journal.
+    /// Whether all steps are in the journal.
     [[nodiscard]] Journal& journal() { return m_journal; }
     [[nodiscard]] bool isWorkKept() { return m_journal.idle() && !m_journal.isStopped(); }
 
@@ -83,9 +83,9 @@ private:
 
     void applyPreferences();
     /// Where the window lies, and what the tools are set to.
-    void rememberPlace();
+    void rememberGeometry();
     void showTitle();
-    /// What was restored lies somewhere else by now.
+    /// Called when restored work has been kept elsewhere.
     void forgetRestored();
 
     /// Alt and a digit: strands take that map's colours while both are held.
@@ -108,7 +108,7 @@ private:
     ClipCommands m_clipCommands;
     WindowDialogs m_dialogs;
     FocusReturn m_focusReturn;
-    DialogPlaces m_dialogPlaces;
+    DialogPositions m_dialogPositions;
 
     Workspace* m_workspace = nullptr;
     FileMenu* m_fileMenu = nullptr;

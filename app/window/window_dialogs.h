@@ -1,4 +1,4 @@
-// The dialogs that the window opens for its own sake: wind, light, preferences, help.
+// The window's own dialogs: wind, light, preferences, help.
 #pragma once
 
 #include "app/window/action_set.h"
@@ -17,7 +17,7 @@ public:
     void showWind();
     void showLight();
     void showScaleHair(); ///< Modal.
-    /// Modal; `hair`: of the document as it is, every hair placed.
+    /// Modal; `hair`: of the document as it is, every hair positioned.
     void showCut(view::HairCut kind, std::shared_ptr<const sim::StrandFrame> hair);
     void showPreferences();
     void showHelp(view::HelpDialog::Topic topic);

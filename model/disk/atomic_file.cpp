@@ -79,13 +79,13 @@ QString writeProblem(const QFileDevice& file)
 }
 
 AtomicFile::AtomicFile(const QString& path)
-    : m_place(outputPlace(path)), m_staged(m_place.value_or(path)), m_path(m_place.value_or(path))
+    : m_target(outputPath(path)), m_staged(m_target.value_or(path)), m_path(m_target.value_or(path))
 {}
 
 Checked<void> AtomicFile::open()
 {
-    if (!m_place)
-        return tl::unexpected(m_place.error());
+    if (!m_target)
+        return tl::unexpected(m_target.error());
     if (!m_staged.open())
         return refuse(writeRefusal(m_staged.file().errorString()));
     return {};
@@ -148,7 +148,7 @@ Checked<void> AtomicFile::commit()
 {
     if (Checked<void> flushed = flush(); !flushed)
         return flushed;
-    if (!m_staged.place())
+    if (!m_staged.publish())
         return refuse(isDiskFull(m_path) ? noSpace() : m_staged.problem());
     flushFolder(QFileInfo(m_path).path());
     return {};

@@ -9,7 +9,7 @@
 
 namespace hairpaint::model {
 
-/// What has a name in a folder, by itself: of a link, the link.
+/// An entry of a folder. A link is reported as the link, not as its target.
 struct OwnEntry
 {
     enum class Kind
@@ -24,15 +24,15 @@ struct OwnEntry
     bool hasOtherNames = false; ///< A file that lies elsewhere too.
 };
 
-/// A folder that is held open, so that what is done in it is done in that very folder, whatever its path leads to by
-/// then. Names are those of its entries, without a slash. Nothing waits for a pipe or a device. Elsewhere than on Unix
-/// what a name stands for is looked at just before it is used. Any thread, one at a time.
+/// A folder held open, so that every operation acts on that folder even if its path refers to another one by then.
+/// Names are those of its entries, without a slash. Never blocks on a pipe or a device. Outside Unix, the kind of an
+/// entry is checked just before it is used. Any thread, one at a time.
 class OwnFolder
 {
 public:
     /// Links that lead there are followed: whoever owns the folder has laid them. None where there is no such folder.
     [[nodiscard]] static std::optional<OwnFolder> open(const QString& path);
-    /// A folder in this one; none where that name is anything else, a link to a folder too.
+    /// A subfolder; none if the name is anything else, such as a link to a folder.
     [[nodiscard]] std::optional<OwnFolder> child(const QString& name) const;
 
     OwnFolder(OwnFolder&& other) noexcept;
@@ -43,31 +43,31 @@ public:
 
     [[nodiscard]] const QString& path() const { return m_path; }
     [[nodiscard]] QString pathOf(const QString& name) const { return m_path + QLatin1Char('/') + name; }
-    /// Its path still leads to it.
-    [[nodiscard]] bool isInPlace() const;
-    /// Of all entries.
+    /// Whether its path still refers to it.
+    [[nodiscard]] bool isAtPath() const;
+    /// The names of all entries.
     [[nodiscard]] QStringList names() const;
     [[nodiscard]] std::optional<OwnEntry> entry(const QString& name) const;
-    /// The open file is what has that name now.
+    /// Whether the open file is the entry of that name.
     [[nodiscard]] bool isNamed(const QFile& file, const QString& name) const;
 
-    /// An ordinary file, for reading. False: problem() tells why.
+    /// Opens a regular file for reading. False: problem() tells why.
     [[nodiscard]] bool openToRead(QFile& file, const QString& name) const;
-    /// A new and empty file for writing, unbuffered, that its owner alone may read; whatever had the name is removed,
-    /// but no folder.
+    /// A new and empty file for writing, unbuffered, that its owner alone may read; an entry of
+    /// that name is removed, unless it is a folder.
     [[nodiscard]] bool openNew(QFile& file, const QString& name) const;
     /// Why the last openToRead() or openNew() failed, as a clause.
     [[nodiscard]] const QString& problem() const { return m_problem; }
 
-    /// That its owner alone may look into.
+    /// Creates a folder that only its owner may read.
     [[nodiscard]] bool makeFolder(const QString& name) const;
-    /// Over what has the other name.
+    /// Renames an entry; one with the new name is replaced.
     [[nodiscard]] bool rename(const QString& from, const QString& to) const;
     bool remove(const QString& name) const;       ///< Anything but a folder.
     bool removeFolder(const QString& name) const; ///< Only an empty folder.
-    /// So that new names outlive a power cut; not every file system can.
+    /// Flushes the folder, so that new names survive a power cut. Not every file system supports it.
     void flush() const;
-    /// Somebody holds the file by holdStaged(), or it can't be told. Elsewhere than on Unix never.
+    /// Whether a process holds the file by holdStaged(); also true if that is unknown. Always false outside Unix.
     [[nodiscard]] bool isHeld(const QString& name) const;
 
     /// On Unix the folder's descriptor, else -1.
@@ -81,8 +81,8 @@ private:
     mutable QString m_problem;
 };
 
-/// All of an ordinary file of at most that many bytes; links that lead to it are followed, and nothing waits for a pipe
-/// or a device. None where it is missing or anything else. Any thread.
+/// Reads a regular file of at most that many bytes. Links to it are followed; never blocks on a pipe or a device.
+/// None if it is missing or not a regular file. Any thread.
 [[nodiscard]] std::optional<QByteArray> contentOfOrdinaryFile(const QString& path, qint64 mostBytes);
 
 } // namespace hairpaint::model

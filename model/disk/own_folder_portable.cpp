@@ -49,7 +49,7 @@ std::optional<OwnFolder> OwnFolder::child(const QString& name) const
     return OwnFolder(pathOf(name), -1);
 }
 
-bool OwnFolder::isInPlace() const
+bool OwnFolder::isAtPath() const
 {
     return QFileInfo(m_path).isDir();
 }

@@ -86,7 +86,7 @@ std::optional<OwnFolder> OwnFolder::child(const QString& name) const
     return OwnFolder(pathOf(name), descriptor);
 }
 
-bool OwnFolder::isInPlace() const
+bool OwnFolder::isAtPath() const
 {
     struct stat held = {};
     struct stat named = {};

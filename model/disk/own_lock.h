@@ -9,8 +9,8 @@ class QLockFile;
 
 namespace hairpaint::model {
 
-/// A file that names the process, held by the system too where it can: so neither the clock nor another process that
-/// got the same number matters, and who may only read can tell all the same. One thread at a time.
+/// A file that names the process and is also locked by the system where possible. So it depends neither on the clock
+/// nor on reused process ids, and a process with read access can check it. One thread at a time.
 class OwnLock
 {
 public:
@@ -26,10 +26,10 @@ public:
     OwnLock(const OwnLock&) = delete;
     OwnLock& operator=(const OwnLock&) = delete;
 
-    /// Waits for nobody. Where it is Missing, others on this machine still find it held if there was such a file.
+    /// Never waits. If Missing, other processes on this machine still find it held if the file existed.
     [[nodiscard]] State take();
     void release();
-    /// What take() would find, to be asked by who does not want it.
+    /// The state that take() would find, without taking the lock.
     [[nodiscard]] bool isHeld();
 
 private:

@@ -89,7 +89,7 @@ bool StagedFile::nameIt()
     return false;
 }
 
-bool StagedFile::place()
+bool StagedFile::publish()
 {
     if (m_stagedName.isEmpty() && !nameIt())
         return false;

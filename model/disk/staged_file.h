@@ -1,4 +1,4 @@
-// A file under way, beside the one that it will replace.
+// A file being written beside the one that it will replace.
 #pragma once
 
 #include <QFile>
@@ -11,7 +11,7 @@ namespace hairpaint::model {
 class StagedFile
 {
 public:
-    /// `path`: the file to be, no link (output_place.h).
+    /// `path`: the file to be, no link (output_path.h).
     explicit StagedFile(const QString& path);
     ~StagedFile();
     StagedFile(const StagedFile&) = delete;
@@ -20,9 +20,9 @@ public:
     /// For writing, unbuffered, with the permissions of the file to be, where there is one. False: file() tells why.
     [[nodiscard]] bool open();
     [[nodiscard]] QFile& file() { return m_file; }
-    /// Renames it over the target, at once, and closes it. False: nothing has changed; problem() tells why, as a
+    /// Renames it over the target atomically, and closes it. False: nothing has changed; problem() tells why, as a
     /// clause.
-    [[nodiscard]] bool place();
+    [[nodiscard]] bool publish();
     [[nodiscard]] const QString& problem() const { return m_problem; }
 
 private:

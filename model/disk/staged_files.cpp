@@ -2,7 +2,7 @@
 #include "model/disk/staged_files.h"
 
 #include "model/disk/atomic_file.h"
-#include "model/disk/output_place.h"
+#include "model/disk/output_path.h"
 #include "model/disk/staged_names.h"
 #include "model/disk/staged_sweep.h"
 #include "model/values/sentences.h"
@@ -93,11 +93,11 @@ StagedFiles::~StagedFiles()
     (void)QDir().rmdir(m_folder);
 }
 
-Result<void> StagedFiles::check(const QString& place) const
+Result<void> StagedFiles::check(const QString& path) const
 {
     if (!m_folder.isEmpty())
         return {};
-    return cannotWrite(place, {.text = m_problem});
+    return cannotWrite(path, {.text = m_problem});
 }
 
 QString StagedFiles::stagedPath(const QString& name) const
@@ -105,48 +105,48 @@ QString StagedFiles::stagedPath(const QString& name) const
     return m_folder + QLatin1Char('/') + name;
 }
 
-QString StagedFiles::pathFor(const QString& place)
+QString StagedFiles::pathFor(const QString& path)
 {
-    const QString name = QFileInfo(place).fileName();
+    const QString name = QFileInfo(path).fileName();
     if (!m_names.contains(name))
         m_names += name;
     return stagedPath(name);
 }
 
-Error StagedFiles::named(Error error, const QString& place) const
+Error StagedFiles::named(Error error, const QString& path) const
 {
-    error.message.replace(shownPath(stagedPath(QFileInfo(place).fileName())), shownPath(place));
+    error.message.replace(shownPath(stagedPath(QFileInfo(path).fileName())), shownPath(path));
     return error;
 }
 
 Result<void> StagedFiles::publish(const QStringList& wanted)
 {
-    QStringList places; // Behind links.
-    for (const QString& place : wanted) {
-        const Checked<QString> behind = outputPlace(place);
+    QStringList targets; // Behind links.
+    for (const QString& path : wanted) {
+        const Checked<QString> behind = outputPath(path);
         if (!behind)
-            return cannotWrite(place, behind.error());
-        places += *behind;
+            return cannotWrite(path, behind.error());
+        targets += *behind;
     }
     // What lies there is put aside first, so that it can be put back.
     if (!QDir().mkpath(stagedPath(kAsideName)))
         return cannotWrite(wanted.front(), {.text = writeRefusal(qt_error_string())});
     qsizetype& aside = m_asideCount;
-    qsizetype placed = 0;
+    qsizetype moved = 0;
     QString problem;
-    for (; aside < places.size() && problem.isEmpty(); ++aside)
-        if (QFileInfo::exists(places[aside]))
-            problem = keepFile(places[aside], asideFor(aside));
-    for (; placed < places.size() && problem.isEmpty(); ++placed)
-        problem = moveFile(pathFor(wanted[placed]), places[placed]);
+    for (; aside < targets.size() && problem.isEmpty(); ++aside)
+        if (QFileInfo::exists(targets[aside]))
+            problem = keepFile(targets[aside], asideFor(aside));
+    for (; moved < targets.size() && problem.isEmpty(); ++moved)
+        problem = moveFile(pathFor(wanted[moved]), targets[moved]);
     if (problem.isEmpty())
         return {};
-    const QString& failed = wanted[placed > 0 ? placed - 1 : aside - 1];
+    const QString& failed = wanted[moved > 0 ? moved - 1 : aside - 1];
     for (qsizetype i = 0; i < aside; ++i) {
         if (QFileInfo::exists(asideFor(i)))
-            (void)moveFile(asideFor(i), places[i]);
-        else if (i < placed)
-            (void)QFile::remove(places[i]);
+            (void)moveFile(asideFor(i), targets[i]);
+        else if (i < moved)
+            (void)QFile::remove(targets[i]);
     }
     return cannotWrite(failed, {.text = problem});
 }

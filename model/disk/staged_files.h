@@ -22,20 +22,20 @@ public:
     StagedFiles(const StagedFiles&) = delete;
     StagedFiles& operator=(const StagedFiles&) = delete;
 
-    /// Fails where nothing can be written there; to be asked before the rest. `place`: the target that the sentence
+    /// Fails if nothing can be written there; call it first. `path`: the target that the sentence
     /// names.
-    [[nodiscard]] Result<void> check(const QString& place) const;
-    /// Where the file for that target lies meanwhile. Its name has a suffix.
-    [[nodiscard]] QString pathFor(const QString& place);
-    /// The error with the target named, not where the file lay meanwhile.
-    [[nodiscard]] Error named(Error error, const QString& place) const;
-    /// Moves all files over their targets, or over what those are links to, or, where one can't be, none.
+    [[nodiscard]] Result<void> check(const QString& path) const;
+    /// The path of the staged file for that target. Its name has a suffix.
+    [[nodiscard]] QString pathFor(const QString& path);
+    /// The error with the path of the target instead of that of the staged file.
+    [[nodiscard]] Error named(Error error, const QString& path) const;
+    /// Moves all files over their targets (links resolved). If one cannot be moved, none is.
     [[nodiscard]] Result<void> publish(const QStringList& wanted);
 
 private:
     [[nodiscard]] bool makeFolder(const QString& path);
     [[nodiscard]] QString stagedPath(const QString& name) const;
-    /// Where the target's former file is meanwhile.
+    /// The path to which the target's former file is moved meanwhile.
     [[nodiscard]] QString asideFor(qsizetype number) const;
 
     QString m_folder; ///< Empty where none could be made.

@@ -1,4 +1,4 @@
-// What files under way are called, and how it is told that somebody still writes them.
+// Names of staged files, and the lock that shows that a process still writes them.
 // Any thread. Errors: none.
 #pragma once
 
@@ -8,12 +8,12 @@ namespace hairpaint::model {
 
 inline constexpr int kStagedNameTries = 16; ///< At a name that is not taken yet.
 
-/// A new one in that folder: short, so that it has room wherever a file's own name has, and hidden.
+/// A new name in that folder: hidden, and short enough wherever the file's own name is.
 [[nodiscard]] QString stagedNameIn(const QString& folder);
-/// As QDir filters by.
+/// Patterns for QDir name filters.
 [[nodiscard]] QString stagedNamePattern();
 
-/// Held until the file is closed, also by a kill; OwnFolder::isHeld() tells.
+/// Locks the file until it is closed, also by a kill. See OwnFolder::isHeld().
 void holdStaged(const QFile& file);
 
 } // namespace hairpaint::model

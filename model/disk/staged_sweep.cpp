@@ -16,11 +16,11 @@ bool isFile(const std::optional<OwnEntry>& entry)
     return entry && entry->kind == OwnEntry::Kind::File;
 }
 
-bool sweepFolder(const OwnFolder& place, const QString& name)
+bool sweepFolder(const OwnFolder& parent, const QString& name)
 {
     const QString lock = StagedFiles::kLockName;
     {
-        const std::optional<OwnFolder> folder = place.child(name);
+        const std::optional<OwnFolder> folder = parent.child(name);
         // Without a lock it may be so new that it has none yet; it is empty then.
         if (!folder || (folder->entry(lock) && (folder->isHeld(lock) || !folder->remove(lock))))
             return false;
@@ -34,7 +34,7 @@ bool sweepFolder(const OwnFolder& place, const QString& name)
                     aside->remove(file);
         folder->removeFolder(StagedFiles::kAsideName);
     }
-    return place.removeFolder(name);
+    return parent.removeFolder(name);
 }
 
 } // namespace
@@ -42,16 +42,16 @@ bool sweepFolder(const OwnFolder& place, const QString& name)
 int sweepStaged(const QString& folder)
 {
     int swept = 0;
-    const std::optional<OwnFolder> place = OwnFolder::open(folder);
-    if (!place)
+    const std::optional<OwnFolder> parent = OwnFolder::open(folder);
+    if (!parent)
         return swept;
-    for (const QString& name : place->names()) {
+    for (const QString& name : parent->names()) {
         if (!QDir::match(stagedNamePattern(), name))
             continue;
-        const std::optional<OwnEntry> entry = place->entry(name);
+        const std::optional<OwnEntry> entry = parent->entry(name);
         const bool isSwept = isFile(entry)
-                                 ? !place->isHeld(name) && place->remove(name)
-                                 : entry && entry->kind == OwnEntry::Kind::Folder && sweepFolder(*place, name);
+                                 ? !parent->isHeld(name) && parent->remove(name)
+                                 : entry && entry->kind == OwnEntry::Kind::Folder && sweepFolder(*parent, name);
         swept += isSwept ? 1 : 0;
     }
     return swept;

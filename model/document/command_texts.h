@@ -5,7 +5,7 @@
 
 namespace hairpaint::model {
 
-/// Of every command's text.
+/// The translation context of command texts.
 class Commands
 {
     Q_DECLARE_TR_FUNCTIONS(Commands)

@@ -6,6 +6,7 @@
 #include "model/styles/style_use.h"
 #include "model/values/progress.h"
 
+#include <QRectF>
 #include <QUndoCommand>
 
 #include <memory>
@@ -54,7 +55,7 @@ struct LayerProperties
 /// Every map empty.
 [[nodiscard]] CommandPtr addGroupCommand(Document& document, const QString& name,
                                          const sim::GroupSettings& settings = {});
-/// As it is, with new ids.
+/// A copy with new ids.
 [[nodiscard]] CommandPtr addGroupCommand(Document& document, HairGroup group);
 /// Groups read from a file of that name (model/importing), with new ids. Null where there is none.
 [[nodiscard]] CommandPtr importHairCommand(Document& document, std::vector<HairGroup> groups, const QString& fileName);
@@ -62,10 +63,10 @@ struct LayerProperties
 /// where there is nothing to add.
 [[nodiscard]] CommandPtr addFaceHairCommand(Document& document, std::vector<HairGroup> groups);
 [[nodiscard]] CommandPtr showFaceHairCommand(Document& document, bool visible);
-/// Null for the last one: there is always one to paint in.
+/// Null for the last group: a project has at least one.
 [[nodiscard]] CommandPtr removeGroupCommand(Document& document, Id group);
 [[nodiscard]] CommandPtr renameGroupCommand(Document& document, Id group, const QString& name);
-/// Null where its position stays; `newPosition` is counted from the first.
+/// Null if its index stays the same. `newPosition`: index, 0 first.
 [[nodiscard]] CommandPtr moveGroupCommand(Document& document, Id group, int newPosition);
 [[nodiscard]] CommandPtr showGroupCommand(Document& document, Id group, bool visible);
 /// The group with another range (model/document/range_change.h), made of its committed content.
@@ -74,16 +75,21 @@ struct LayerProperties
 /// next ones.
 [[nodiscard]] CommandPtr setSettingsCommand(Document& document, Id group, const sim::GroupSettings& settings,
                                             const QString& text);
-/// Whether it blows stays as it is (Document::setWindOn).
+/// Whether the wind blows does not change; see Document::setWindOn.
 [[nodiscard]] CommandPtr setWindCommand(Document& document, const sim::Wind& wind);
 [[nodiscard]] CommandPtr setLightCommand(Document& document, const LightSettings& light);
 [[nodiscard]] CommandPtr setBackgroundCommand(Document& document, QRgb background);
 [[nodiscard]] CommandPtr setSkinCommand(Document& document, SkinTone skin);
 /// With a new id, behind those of its kind. Null where the project holds as many as it may.
 [[nodiscard]] CommandPtr addWornCommand(Document& document, Worn worn);
-/// Null where there is none.
+/// Gathers the group's hair that nothing gathers yet, inside what is selected (uv; empty: everywhere), into a thing of
+/// that kind at the point; where hair there is gathered by one of the kind already, that goes there. Null where no hair
+/// is left to gather, or no layer of the accessory map can be painted.
+[[nodiscard]] CommandPtr gatherCommand(Document& document, Id group, const WornSpec& spec,
+                                       const sim::SurfacePoint& point, const std::vector<QRectF>& selected);
+/// With the patch that it is painted as. Null where there is none.
 [[nodiscard]] CommandPtr removeWornCommand(Document& document, Id id);
-/// What undo says of wind, light and background, for edits that are shown before they are kept.
+/// Undo names of wind, light and background, for edits that are previewed before they are committed.
 [[nodiscard]] QString windStepText();
 [[nodiscard]] QString lightStepText();
 [[nodiscard]] QString backgroundStepText();

@@ -36,9 +36,26 @@ struct Document::State
     std::uint64_t revision = 1;
     QUndoStack undoStack;
     UndoBudget undoBudget;
-    MapResolver resolver; ///< Of what is shown.
+    MapResolver resolver;   ///< Of what is shown.
+    ProjectPatches patches; ///< Of what is committed.
 
-    explicit State(Project project) : committed(std::move(project)), resolver(committed) {}
+    explicit State(Project project) : committed(std::move(project)), resolver(committed) { findPatches(); }
+
+    /// Of content that comes from elsewhere: what is worn is made to agree with the maps.
+    void findPatches()
+    {
+        patches = {};
+        patches.follow(committed, nullptr);
+    }
+    [[nodiscard]] const ProjectPatches& shownPatches() const
+    {
+        return running && running->patches ? *running->patches : patches;
+    }
+    /// After the running edit shows something else in the part that `change` names. Whether what is worn differs.
+    [[nodiscard]] bool followPatches(const Change& change)
+    {
+        return (needsPatches(change) || running->patches) && running->followPatches(patches);
+    }
 
     const Project& shown() const { return running ? running->shown : committed; }
     /// The user changes something that is not committed yet. What is only looked at is no change.
@@ -69,6 +86,11 @@ Document::~Document()
 const Project& Document::project() const
 {
     return m_state->shown();
+}
+
+const ProjectPatches& Document::patches() const
+{
+    return m_state->patches;
 }
 
 const Project& Document::committed() const
@@ -112,6 +134,7 @@ void Document::replace(Project project, ResolvedMaps resolved)
 {
     const bool ended = std::exchange(m_state->running, std::nullopt).has_value();
     m_state->committed = std::move(project);
+    m_state->findPatches();
     m_state->resolver.replace(std::move(resolved));
     m_state->undoStack.clear();
     m_state->undoBudget.reset();
@@ -177,13 +200,16 @@ sim::GroomInput Document::groomInput() const
     input.preview = previewing();
     for (const HairGroup& group : shown.groups) {
         if (resolved(group.id, MapKind::Density) == nullptr)
-            continue; // Its maps are on their way.
+            continue; // Its maps are still being resolved.
         sim::GroomInput::Group& one = input.groups.emplace_back();
         one.id = group.id;
         one.visible = group.visible;
         one.settings = group.settings;
         for (const MapSpec& spec : mapSpecs())
             one.maps[spec.kind] = resolved(group.id, spec.kind);
+        one.gathered = m_state->shownPatches().gathered(group.id);
+        if (one.gathered != nullptr)
+            one.ties = tiesIn(shown.worn, group.id);
     }
     return input;
 }
@@ -195,7 +221,10 @@ void Document::apply(const Change& change, const std::function<void(Project&)>& 
     std::optional<RunningEdit> over = std::exchange(state.running, std::nullopt);
     if (over)
         over->shown = {}; // Shares maps, which would be copied to be written.
+    const std::vector<Worn> worn = state.committed.worn;
     edit(state.committed);
+    if (needsPatches(change) || change.aspect == Change::Aspect::Environment)
+        state.patches.update(state.committed);
     // Resolving compares tile pointers, so what a preview already showed costs nothing here.
     if (over)
         state.resolver.update(state.shown());
@@ -206,6 +235,8 @@ void Document::apply(const Change& change, const std::function<void(Project&)>& 
             if (!covers(change, shown))
                 tell(shown, true);
     tell(change, false);
+    if (change.aspect == Change::Aspect::GroupList && worn != state.committed.worn)
+        tell({.aspect = Change::Aspect::Environment}, false);
     if (over)
         Q_EMIT editEnded();
 }
@@ -227,6 +258,8 @@ EditSession Document::begin(EditOwner owner)
     State& state = *m_state;
     state.running = RunningEdit{
         .session = ++state.sessions, .owner = std::move(owner), .shown = state.committed, .parts = {}, .tiles = {}};
+    state.running->plainWorn = state.running->toldWorn = state.committed.worn;
+    state.running->plainNextId = state.committed.nextId;
     return {*this, state.running->session};
 }
 
@@ -273,7 +306,10 @@ void Document::preview(const Change& change, const std::function<void(Project&)>
     State& state = *m_state;
     state.running->showPart(state.committed, {.change = change, .edit = edit});
     state.resolveFor(change);
+    const bool followed = state.followPatches(change);
     tell(change, true);
+    if (followed)
+        tell({.aspect = Change::Aspect::Environment}, true);
 }
 
 void Document::previewTiles(const LayerAddress& address, const LayerTiles& tiles)
@@ -285,7 +321,10 @@ void Document::previewTiles(const LayerAddress& address, const LayerTiles& tiles
     if (!change)
         return;
     state.resolver.updateTiles(project(), address, change->tiles);
+    const bool followed = state.followPatches(*change);
     tell(*change, true);
+    if (followed)
+        tell({.aspect = Change::Aspect::Environment}, true);
 }
 
 void Document::setEditText(const QString& text)

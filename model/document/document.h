@@ -5,6 +5,7 @@
 #include "model/document/journal_state.h"
 #include "model/maps/map_resolver.h"
 #include "model/maps/resolved_maps.h"
+#include "model/patches/project_patches.h"
 #include "model/project/change.h"
 #include "model/project/project.h"
 #include "sim/groom/groom_input.h"
@@ -30,30 +31,30 @@ public:
 
     [[nodiscard]] const Project& project() const;
     [[nodiscard]] QUndoStack& undoStack();
-    /// True also while something is being changed (not merely looked at); false too where the oldest steps left were
-    /// freed to bound the history's memory.
+    /// Also true while an edit that commits is running. Also false if the remaining steps were freed to bound the
+    /// memory of the history.
     [[nodiscard]] bool canUndo() const;
-    /// The tiles that only the history holds; 1 GiB unless set. The newest step can always be undone.
+    /// Limit on the bytes of tiles that only the history holds; 1 GiB by default. The newest step can always be undone.
     void setUndoBudget(std::size_t bytes);
     [[nodiscard]] bool modified() const; ///< Since the last markSaved().
     void markSaved();
-    /// Replaces the project; clears the history. Where memory runs out it throws std::bad_alloc,
-    /// and all is as it was.
+    /// Replaces the project and clears the history. If memory runs out it throws std::bad_alloc
+    /// and changes nothing.
     void replace(Project project);
     /// The same with its maps resolved already, on another thread.
     void replace(Project project, ResolvedMaps resolved);
-    /// Puts back what a journal kept, with the steps of its history; it counts as modified. `resolved`: the maps of the
-    /// work's current step, which there must be.
+    /// Restores the content of a journal and the steps of its history; counts as modified. `resolved`: the maps of the
+    /// current step, which must exist.
     void restore(const RecoveredWork& work, ResolvedMaps resolved);
 
     /// The map with all visible layers (and a running edit's preview) applied: `spec.valueChannels` channels. It lags
     /// behind while resolving().
     [[nodiscard]] std::shared_ptr<const sim::TiledRaster> resolved(Id group, MapKind map) const;
-    /// From now on resolving that would take long is done there; changed() tells when it is there. Without, everything
-    /// is resolved at once.
+    /// From now on long resolving runs on that thread, and changed() is emitted when it is done. Without one everything
+    /// is resolved immediately.
     void resolveIn(MapResolver::Background background);
     [[nodiscard]] bool resolving() const;
-    /// The same, waited for, for those who compute from it.
+    /// The same, after waiting until it is resolved; for computing from it.
     [[nodiscard]] std::shared_ptr<const sim::TiledRaster> resolvedNow(Id group, MapKind map);
     /// Grows with every change, previews and maps resolved later too; frames of hair name the one they show.
     [[nodiscard]] std::uint64_t revision() const;
@@ -81,6 +82,8 @@ public:
     /// Whether the content may become `after`, which must not be larger than can be saved
     /// (model/project/content_budget.h). Where it may not, refused() says why. For making commands.
     [[nodiscard]] bool mayBecome(const Project& after);
+    /// The patches of the accessory maps in the committed content, and what is worn as them.
+    [[nodiscard]] const ProjectPatches& patches() const;
     /// Whether an edit runs that shows something.
     [[nodiscard]] bool previewing() const;
     /// The content without any preview; what files are written from.

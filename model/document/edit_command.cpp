@@ -1,6 +1,7 @@
 // Parts of the content taken out and put back.
 #include "model/document/edit_command.h"
 
+#include "model/document/paint_command.h"
 #include "model/document/undo_budget.h"
 
 #include <algorithm>
@@ -14,15 +15,17 @@ namespace {
 struct GroupsPart
 {
     std::vector<HairGroup> groups;
+    std::vector<Worn> worn; ///< In their hair; a style brings its own.
     Id nextId = 1;
 
     static GroupsPart take(const Project& project, const Change& /*change*/)
     {
-        return {project.groups, project.nextId};
+        return {project.groups, project.worn, project.nextId};
     }
     void put(Project& project, const Change& /*change*/) const
     {
         project.groups = groups;
+        project.worn = worn;
         project.nextId = nextId;
     }
     friend bool operator==(const GroupsPart&, const GroupsPart&) = default;
@@ -262,8 +265,11 @@ bool changesContent(const Project& committed, const ShownPart& part)
 
 } // namespace
 
-CommandPtr editCommand(Document& document, const Change& change, const QString& text,
-                       std::function<void(Project&)> edit)
+namespace {
+
+/// Leaves the patches of accessory maps to others.
+CommandPtr plainEditCommand(Document& document, const Change& change, const QString& text,
+                            std::function<void(Project&)> edit)
 {
     document.endEdit();
     if (change.aspect == Change::Aspect::LayerList || change.aspect == Change::Aspect::GroupList) {
@@ -275,23 +281,75 @@ CommandPtr editCommand(Document& document, const Change& change, const QString& 
     return std::make_unique<EditCommand>(document, change, text, std::move(edit));
 }
 
+} // namespace
+
+bool needsPatches(const Change& change)
+{
+    using Aspect = Change::Aspect;
+    const bool isOneMap = change.aspect == Aspect::Texels || change.aspect == Aspect::LayerList;
+    return isOneMap ? change.map == MapKind::Accessory
+                    : change.aspect == Aspect::GroupList || change.aspect == Aspect::Head;
+}
+
+CommandPtr withPatches(Document& document, CommandPtr command, Project after, const QString& text)
+{
+    if (command == nullptr)
+        return nullptr;
+    ProjectPatches patches = document.patches();
+    if (!patches.follow(after, &document.patches()))
+        return command;
+    std::vector<CommandPtr> commands;
+    commands.push_back(std::move(command));
+    commands.push_back(
+        std::make_unique<EditCommand>(document, Change{.aspect = Change::Aspect::Environment}, text,
+                                      [worn = std::move(after.worn), nextId = after.nextId](Project& project) {
+                                          project.worn = worn;
+                                          project.nextId = nextId;
+                                      }));
+    return std::make_unique<JoinedCommand>(std::move(commands), text);
+}
+
+CommandPtr editCommand(Document& document, const Change& change, const QString& text,
+                       std::function<void(Project&)> edit)
+{
+    CommandPtr command = plainEditCommand(document, change, text, edit);
+    if (command == nullptr || !needsPatches(change))
+        return command;
+    Project after = document.committed();
+    edit(after);
+    return withPatches(document, std::move(command), std::move(after), text);
+}
+
 CommandPtr shownEditCommand(Document& document, const std::vector<ShownPart>& parts, std::vector<LayerEdit> layers,
                             const QString& text)
 {
     std::vector<CommandPtr> commands;
+    bool touchesPatches = false;
     for (const ShownPart& part : parts) {
         if (!changesContent(document.committed(), part))
             continue;
-        CommandPtr command = editCommand(document, part.change, text, part.edit);
+        CommandPtr command = plainEditCommand(document, part.change, text, part.edit);
         if (command == nullptr)
             return nullptr; // Refused: all of it or nothing.
         commands.push_back(std::move(command));
+        touchesPatches |= needsPatches(part.change);
     }
-    if (CommandPtr paint = paintCommand(document, std::move(layers), text))
+    for (const LayerEdit& layer : layers)
+        touchesPatches |= layer.address.map == MapKind::Accessory;
+    Project after;
+    if (touchesPatches) {
+        after = document.committed();
+        for (const ShownPart& part : parts)
+            part.edit(after);
+        layIn(after, layers);
+    }
+    if (CommandPtr paint = plainPaintCommand(document, std::move(layers), text))
         commands.push_back(std::move(paint));
-    if (commands.size() < 2)
-        return commands.empty() ? nullptr : std::move(commands.front());
-    return std::make_unique<JoinedCommand>(std::move(commands), text);
+    if (commands.empty())
+        return nullptr;
+    CommandPtr whole =
+        commands.size() == 1 ? std::move(commands.front()) : std::make_unique<JoinedCommand>(std::move(commands), text);
+    return touchesPatches ? withPatches(document, std::move(whole), std::move(after), text) : std::move(whole);
 }
 
 } // namespace hairpaint::model

@@ -21,6 +21,12 @@ struct ShownPart
 [[nodiscard]] CommandPtr editCommand(Document& document, const Change& change, const QString& text,
                                      std::function<void(Project&)> edit);
 
+/// The same step, which also makes what is worn follow the patches of accessory maps: `after` is the content that the
+/// command gives. Null stays null.
+[[nodiscard]] CommandPtr withPatches(Document& document, CommandPtr command, Project after, const QString& text);
+/// Whether that part of the content holds accessory maps, or what they lie on.
+[[nodiscard]] bool needsPatches(const Change& change);
+
 /// One step out of parts edited one after the other and tiles laid in afterwards. Null where nothing differs or the
 /// content would become too large.
 [[nodiscard]] CommandPtr shownEditCommand(Document& document, const std::vector<ShownPart>& parts,

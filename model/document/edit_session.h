@@ -16,26 +16,27 @@ namespace hairpaint::model {
 class Document;
 struct Project;
 
-/// What becomes of a running edit when another one begins or a command is made. Undo drops it either way.
+/// What becomes of a running edit when another one begins or a command is made. Undo drops it in both cases.
 enum class EditPolicy : std::uint8_t
 {
     Commit, ///< The user changes something: nothing of it may be lost.
     Drop    ///< The user only looks: a hovered style.
 };
 
-/// Whose edit it is, as the document needs to know.
+/// What the document needs to know of an edit.
 struct EditOwner
 {
     EditPolicy policy = EditPolicy::Commit;
     QString text = {}; ///< What undo says of it: "Brush on Length".
-    /// Undo while it runs: takes back its last part and returns true; false, or none, drops the whole edit.
+    /// Called by undo while it runs: reverts its last part and returns true. If it returns false, or is empty, the
+    /// whole edit is dropped.
     std::function<bool()> stepBack = {};
 };
 
 using LayerTiles = std::vector<std::pair<int, sim::RasterTilePtr>>; ///< Tile index and content.
 
-/// From Document::begin() until commit(), drop(), its destruction (which drops it), or until somebody else's edit ends
-/// it by its policy. Only one runs at a time. Where it is not active everything does nothing. It may touch any layers
+/// Active from Document::begin() until commit(), drop(), its destruction (which drops it), or until another edit ends
+/// it by its policy. Only one is active at a time. An inactive one does nothing. It may touch any layers
 /// and parts. GUI thread.
 class EditSession
 {

@@ -11,8 +11,8 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr double kLeastShare = 0.1;
-constexpr double kGreatestShare = 10.0;
+constexpr double kLeastFactor = 0.1;
+constexpr double kGreatestFactor = 10.0;
 
 constexpr HairScale kHairScales[] = {
     {QT_TRANSLATE_NOOP("HairScale", "Length"), {"greatest_length_m", "shortest_length_m"}},
@@ -29,7 +29,7 @@ QString HairScale::titleText() const
 
 HairScale::Limits HairScale::limits(const sim::GroupSettings& settings) const
 {
-    Limits limits{.least = kLeastShare, .greatest = kGreatestShare};
+    Limits limits{.least = kLeastFactor, .greatest = kGreatestFactor};
     bool isZero = true;
     for (const char* const key : ranges) {
         if (key == nullptr)

@@ -10,7 +10,7 @@
 
 namespace hairpaint::model {
 
-/// What can be scaled by itself.
+/// A quantity that can be scaled by itself.
 struct HairScale
 {
     const char* title;                 ///< To be translated in context "HairScale".

@@ -1,4 +1,4 @@
-// What a journal keeps of a moment.
+// The states that a journal stores.
 #pragma once
 
 #include "model/project/project.h"
@@ -9,7 +9,7 @@
 
 namespace hairpaint::model {
 
-/// How a project's file was when it was last read or written here.
+/// Size and time of a project's file when this program last read or wrote it.
 struct KnownFile
 {
     qint64 bytes = -1; ///< -1: not known.
@@ -28,7 +28,7 @@ struct JournalState
     qint64 timeMs = 0;   ///< Since 1970, UTC.
 };
 
-/// What a journal gives back.
+/// What is read from a journal.
 struct RecoveredWork
 {
     std::vector<JournalState> steps; ///< Neighbours in the history, oldest first; one at least.

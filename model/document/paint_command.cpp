@@ -1,5 +1,7 @@
 // Undo of painting: only the touched tiles are kept.
-#include "model/document/commands.h"
+#include "model/document/paint_command.h"
+
+#include "model/document/edit_command.h"
 #include "model/document/undo_budget.h"
 #include "model/project/content_budget.h"
 
@@ -60,16 +62,33 @@ bool fits(Document& document, const std::vector<LayerEdit>& layers)
     if (!paintingMayExceed(document.committed().groups))
         return true;
     Project after = document.committed();
-    for (const LayerEdit& edit : layers)
-        if (Layer* layer = after.layer(edit.address.group, edit.address.map, edit.address.layer))
-            for (const auto& [index, tile] : edit.after)
-                layer->raster.setTile(index, tile);
+    layIn(after, layers);
     return document.mayBecome(after);
 }
 
 } // namespace
 
+void layIn(Project& project, const std::vector<LayerEdit>& layers)
+{
+    for (const LayerEdit& edit : layers)
+        if (Layer* layer = project.layer(edit.address.group, edit.address.map, edit.address.layer))
+            for (const auto& [index, tile] : edit.after)
+                layer->raster.setTile(index, tile);
+}
+
 CommandPtr paintCommand(Document& document, std::vector<LayerEdit> layers, const QString& text)
+{
+    document.endEdit();
+    const bool paintsPatches =
+        std::ranges::any_of(layers, [](const LayerEdit& edit) { return edit.address.map == MapKind::Accessory; });
+    if (!paintsPatches)
+        return plainPaintCommand(document, std::move(layers), text);
+    Project after = document.committed();
+    layIn(after, layers);
+    return withPatches(document, plainPaintCommand(document, std::move(layers), text), std::move(after), text);
+}
+
+CommandPtr plainPaintCommand(Document& document, std::vector<LayerEdit> layers, const QString& text)
 {
     document.endEdit();
     for (LayerEdit& edit : layers) {

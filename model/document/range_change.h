@@ -11,7 +11,7 @@ namespace hairpaint::model {
 
 struct GroupSetting;
 
-/// Whether that setting, of two values, gives a map's texels other amounts.
+/// Whether that setting is the range of a map.
 [[nodiscard]] bool setsRange(const GroupSetting& setting);
 
 /// A group with another range, made by withRange(). Any thread.
@@ -32,8 +32,8 @@ struct RangeChange
     void applyTo(Project& project) const;
 };
 
-/// The group's maps rescaled so that they show the same amounts by `settings`, all layers, hidden ones too, whichever
-/// way they are blended; maps whose range stays are shared. What a map shows where nothing is painted is laid under the
+/// The group's maps rescaled so that they show the same amounts by `settings`, all layers, hidden ones too, in
+/// every blend mode; maps whose range stays are shared. What a map shows where nothing is painted is laid under the
 /// layers, so that it stays too, where hair grows at all. A map whose range is or becomes a single amount keeps its
 /// texels.
 [[nodiscard]] RangeChange withRange(const HairGroup& group, const sim::GroupSettings& settings);

@@ -1,4 +1,4 @@
-// A step of the history that a journal gave back.
+// A step of the history that was read from a journal.
 #pragma once
 
 #include "model/document/document.h"
@@ -9,7 +9,7 @@
 
 namespace hairpaint::model {
 
-/// Goes from the one content to the other; it knows both, and not what was done. `dormant`: while it is true, pushing,
+/// Holds the content before and after, not the edit between them. `dormant`: while it is true, pushing,
 /// undoing and redoing the step changes nothing, since the content is there already.
 class RestoredStep : public QUndoCommand
 {

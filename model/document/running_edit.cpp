@@ -2,6 +2,7 @@
 #include "model/document/running_edit.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hairpaint::model {
 
@@ -34,6 +35,8 @@ void RunningEdit::showPart(const Project& committed, ShownPart part)
     shown = committed;
     for (const ShownPart& one : parts)
         one.edit(shown);
+    plainWorn = shown.worn;
+    plainNextId = shown.nextId;
     for (const auto& [address, shownTiles] : tiles)
         if (Layer* layer = shown.layer(address.group, address.map, address.layer))
             for (const auto& [index, tile] : shownTiles)
@@ -57,11 +60,24 @@ std::optional<Change> RunningEdit::showTiles(const LayerAddress& address, const 
     return change;
 }
 
+bool RunningEdit::followPatches(const ProjectPatches& before)
+{
+    if (!patches)
+        patches = before;
+    shown.worn = plainWorn;
+    shown.nextId = plainNextId;
+    patches->follow(shown, &before);
+    return std::exchange(toldWorn, shown.worn) != shown.worn;
+}
+
 std::vector<Change> RunningEdit::changes() const
 {
     std::vector<Change> all;
     for (const ShownPart& part : parts)
         all.push_back(part.change);
+    if (patches && std::ranges::none_of(
+                       parts, [](const ShownPart& part) { return part.change.aspect == Change::Aspect::Environment; }))
+        all.push_back({.aspect = Change::Aspect::Environment});
     for (const auto& [address, shownTiles] : tiles) {
         Change change = texelsOf(address);
         for (const auto& [index, tile] : shownTiles)

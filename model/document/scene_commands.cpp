@@ -23,6 +23,21 @@ bool differs(Document& document, Member member, const Value& value)
     return !(document.committed().*member == value);
 }
 
+/// Where maps stay in the layout, points of patches do too.
+void keepInLayout(std::vector<Worn>& carried, const std::vector<Worn>& before, const std::shared_ptr<const Head>& from,
+                  const std::shared_ptr<const Head>& to)
+{
+    if (from == nullptr || from->skin == nullptr || to == nullptr || to->skin == nullptr)
+        return;
+    for (std::size_t i = 0; i < carried.size(); ++i) {
+        if (!carried[i].patch)
+            continue;
+        const Worn marked{.anchor = before[i].patch->at};
+        if (const auto point = to->skin->atUv(anchorPoint(marked, *from->skin).uv))
+            carried[i].patch->at = anchorAt(*point);
+    }
+}
+
 } // namespace
 
 QString windStepText()
@@ -89,7 +104,15 @@ CommandPtr removeWornCommand(Document& document, Id id)
     const Worn* worn = document.committed().wornThing(id);
     if (worn == nullptr)
         return nullptr;
-    return environmentCommand(document, wornText(wornSpec(worn->kind).removeStep), [id](Project& project) {
+    const QString text = wornText(wornSpec(worn->kind).removeStep);
+    if (worn->patch) {
+        // It goes with its paint.
+        std::vector<LayerEdit> layers;
+        for (LayerPatchErasure& one : patchErased(document.committed(), document.patches(), *worn))
+            layers.push_back({.address = one.address, .after = std::move(one.tiles)});
+        return paintCommand(document, std::move(layers), text);
+    }
+    return environmentCommand(document, text, [id](Project& project) {
         std::erase_if(project.worn, [id](const Worn& one) { return one.id == id; });
     });
 }
@@ -99,8 +122,12 @@ CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head, 
 {
     if (document.committed().head == head)
         return nullptr;
-    const auto setHead = [head = std::move(head), ellipsoids = std::move(ellipsoids)](Project& project) {
+    const auto setHead = [head = std::move(head), ellipsoids = std::move(ellipsoids),
+                          mapsStay = !groups](Project& project) {
+        const std::vector<Worn> before = project.worn;
         project.worn = carriedWorn(std::move(project.worn), project.head, head);
+        if (mapsStay)
+            keepInLayout(project.worn, before, project.head, head);
         project.head = head;
         project.setShapesOfHead(ellipsoids);
     };

@@ -26,7 +26,7 @@ public:
     /// After redo(): bytes of the tiles that it took out of the content. Tiles that another layer has too count as
     /// well, so the sum over the history is an upper bound.
     [[nodiscard]] virtual std::size_t keptBytes() const = 0;
-    /// Lets go of everything; the command will neither be undone nor redone again.
+    /// Frees its tiles; the command will never be undone or redone again.
     virtual void release() = 0;
 };
 

@@ -81,13 +81,13 @@ public:
     [[nodiscard]] std::span<const CurveGroup> groups() const { return m_groups; }
     [[nodiscard]] std::span<const Curve> curves() const { return m_curves; }
     [[nodiscard]] std::uint64_t pointCount() const { return m_curves.empty() ? 0 : m_curves.back().endPoint(); }
-    /// How many hairs that are there stand for one that is exported, at least 1: as much wider have few to be to cover
-    /// as much.
+    /// How many hairs that are there stand for one that is exported, at least 1: fewer hairs are
+    /// drawn wider by that factor, to cover as much.
     [[nodiscard]] float thinning() const { return m_thinning; }
 
     /// Wo, m; valid until the next call with that scratch.
     [[nodiscard]] std::span<const glm::vec3> points(const Curve& curve, CurveScratch& scratch) const;
-    /// A guide's: its skeleton.
+    /// The points of a guide: its skeleton.
     [[nodiscard]] std::span<const glm::vec3> guidePoints(const Curve& guide, CurveScratch& scratch) const;
     /// Position of point i along a curve: 0 at the root, 1 at the tip.
     [[nodiscard]] float fraction(const Curve& curve, std::uint32_t i) const;

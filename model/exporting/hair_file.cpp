@@ -48,7 +48,7 @@ std::array<char, kHairHeaderBytes> makeHairHeader(const CurveSet& curves, const 
     return header;
 }
 
-/// One value per point, computed from the curve and the fraction of the way to the tip.
+/// One value per point, computed from the curve and the fraction of the length to the tip.
 template<typename Function>
 PieceWriter::Make perPoint(const CurveSet& set, const Function& function)
 {

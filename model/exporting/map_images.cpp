@@ -1,7 +1,7 @@
 // Encoded by the helper program into a folder beside, then renamed to their targets.
 #include "model/exporting/map_images.h"
 
-#include "model/disk/output_place.h"
+#include "model/disk/output_path.h"
 #include "model/disk/staged_files.h"
 #include "model/files/image_map.h"
 #include "model/values/sentences.h"
@@ -73,34 +73,34 @@ QStringList mapImageNames(std::span<const WantedMap> maps, const MapImageFormat&
 Result<void> writeMapImages(std::span<const WantedMap> maps, const QString& folder, const MapImageOptions& options,
                             const Progress& progress)
 {
-    QStringList places;
+    QStringList paths;
     for (const QString& name : mapImageNames(maps, *options.format))
-        places += QDir(folder).filePath(name);
-    for (const QString& place : places)
-        if (const Checked<void> writable = checkWritable(place); !writable)
-            return cannotWrite(place, writable.error());
-    if (places.isEmpty())
+        paths += QDir(folder).filePath(name);
+    for (const QString& target : paths)
+        if (const Checked<void> writable = checkWritable(target); !writable)
+            return cannotWrite(target, writable.error());
+    if (paths.isEmpty())
         return {};
     StagedFiles staged(folder);
-    if (Result<void> ready = staged.check(places.front()); !ready)
+    if (Result<void> ready = staged.check(paths.front()); !ready)
         return ready;
     for (std::size_t i = 0; i < maps.size(); ++i) {
-        const QString& place = places[static_cast<qsizetype>(i)];
+        const QString& target = paths[static_cast<qsizetype>(i)];
         const auto part = [&](double done) {
             return !progress || progress((static_cast<double>(i) + done) / static_cast<double>(maps.size()));
         };
         if (!part(0.0))
-            return cancelled(place);
-        const Result<void> written = withinMemory(place, cannotWrite, [&] {
+            return cancelled(target);
+        const Result<void> written = withinMemory(target, cannotWrite, [&] {
             return ImporterClient().writeImage(imageFromMap(*maps[i].resolved, mapSpec(maps[i].kind), options.grey),
-                                               staged.pathFor(place), options.bits, part);
+                                               staged.pathFor(target), options.bits, part);
         });
         if (!written)
-            return tl::unexpected(staged.named(written.error(), place));
+            return tl::unexpected(staged.named(written.error(), target));
     }
     if (progress && !progress(1.0))
         return cancelled(folder);
-    return staged.publish(places);
+    return staged.publish(paths);
 }
 
 } // namespace hairpaint::model

@@ -75,12 +75,12 @@ Result<void> writeObjFile(const CurveSet& curves, const ExportSettings& settings
             for (const CurveGroup& group : curves.groups()) {
                 if (group.curves.empty())
                     continue;
-                const double share =
+                const double fraction =
                     static_cast<double>(group.curves.back().endPoint()) / static_cast<double>(curves.pointCount());
                 writer.write("o " + objectName(group.name) + "\n");
-                writeVertices(curves, group, settings.space, before + kVertexWork * (share - before), writer);
-                writeLines(group, share, writer);
-                before = share;
+                writeVertices(curves, group, settings.space, before + kVertexWork * (fraction - before), writer);
+                writeLines(group, fraction, writer);
+                before = fraction;
             }
             return {};
         });

@@ -1,4 +1,4 @@
-// Writing what is made of many curves, a piece at a time.
+// Writes the text or bytes of many curves, a piece at a time.
 #pragma once
 
 #include "model/disk/atomic_file.h"
@@ -20,7 +20,7 @@ public:
 
     /// Where `file`, which they end in, has failed, no more bytes are made.
     PieceWriter(AtomicFile& file, Progress progress);
-    /// From now on `sink` takes the bytes, on their way to the file.
+    /// From now on `sink` takes the bytes before they reach the file.
     void divert(Sink sink);
 
     /// Appends to a string what some curves become. Called on several threads.
@@ -28,7 +28,7 @@ public:
     /// Progress goes on to `until`, 0..1. Does nothing once it was cancelled.
     void write(std::span<const Curve> curves, double until, const Make& make);
     void write(std::string_view bytes);
-    /// All is written, and so progress is 1.
+    /// Writes everything; progress reaches 1.
     void end();
     [[nodiscard]] bool cancelled() const { return m_cancelled; }
 
@@ -47,7 +47,7 @@ private:
 [[nodiscard]] Result<void> writeInPieces(const QString& path, std::size_t bytes, const Progress& progress,
                                          const std::function<Checked<void>(AtomicFile&, PieceWriter&)>& write);
 
-/// What a format whose counts or sizes end too early refuses with.
+/// The error of a format whose counts or sizes are too small for the content.
 [[nodiscard]] tl::unexpected<Clause> tooManyPoints();
 
 /// The bytes of a value as they lie in memory.

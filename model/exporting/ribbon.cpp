@@ -1,4 +1,4 @@
-// Sides across the strand and the way out.
+// Sides across the strand and the outward direction.
 #include "model/exporting/ribbon.h"
 
 #include "model/exporting/unit_vectors.h"

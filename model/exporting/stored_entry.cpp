@@ -44,14 +44,14 @@ void StoredEntry::write(std::string_view bytes)
 
 Checked<void> StoredEntry::finish()
 {
-    const QByteArray place = localHeader(m_record);
+    const QByteArray header = localHeader(m_record);
     constexpr qint64 kDirectoryBytes = 1024; // More than one entry and the end take.
-    if (m_bytes + place.size() + kDirectoryBytes > kMostZipBytes)
+    if (m_bytes + header.size() + kDirectoryBytes > kMostZipBytes)
         return tooManyPoints();
     m_record.bytes = m_record.packedBytes = static_cast<quint32>(m_bytes);
     m_file.rewrite(0, localHeader(m_record));
     const QByteArray directory = directoryHeader(m_record);
-    m_file.write(directory + endOfDirectory(1, directory.size(), place.size() + m_bytes));
+    m_file.write(directory + endOfDirectory(1, directory.size(), header.size() + m_bytes));
     return {};
 }
 

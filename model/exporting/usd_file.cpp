@@ -112,8 +112,8 @@ private:
     /// Of all work, with `weight` of this group's done.
     [[nodiscard]] double progressAt(double weight, std::span<const Curve> curves) const
     {
-        const double share = m_allPoints > 0 ? 1.0 / static_cast<double>(m_allPoints) : 0.0;
-        return share * (static_cast<double>(m_donePoints) + weight * static_cast<double>(pointsOf(curves)));
+        const double perPoint = m_allPoints > 0 ? 1.0 / static_cast<double>(m_allPoints) : 0.0;
+        return perPoint * (static_cast<double>(m_donePoints) + weight * static_cast<double>(pointsOf(curves)));
     }
 
     /// "        TYPE[] NAME = [A, B] (\n interpolation ... )".

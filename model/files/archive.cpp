@@ -215,11 +215,11 @@ tl::unexpected<Clause> brokenEntry(const QString& name)
 
 QStringList ArchiveReader::names() const
 {
-    std::map<quint64, QString> byPlace;
+    std::map<quint64, QString> byOffset;
     for (const auto& [name, entry] : m_entries)
-        byPlace.emplace(entry.index, name);
+        byOffset.emplace(entry.index, name);
     QStringList names;
-    for (const auto& [place, name] : byPlace)
+    for (const auto& [offset, name] : byOffset)
         names += name;
     return names;
 }

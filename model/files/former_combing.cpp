@@ -25,7 +25,7 @@ constexpr float kLimpM = 0.14F;     ///< longer than this lay.
 constexpr float kSideways = 4.0F;   ///< At full parting, on top and at the forehead, against 1 for down.
 constexpr float kBackward = 3.6F;   ///< At full sweep.
 
-struct CombedPlace
+struct CombedTexel
 {
     bool onSkin = false;
     glm::vec3 positionHd{0.0F};
@@ -38,10 +38,10 @@ std::size_t combedIndex(int x, int y)
 }
 
 /// Of every texel; those off the skin get a neighbour's. Empty where stopped.
-std::vector<CombedPlace> placesOf(const sim::Skin& skin, const std::function<bool()>& goesOn)
+std::vector<CombedTexel> texelsOf(const sim::Skin& skin, const std::function<bool()>& goesOn)
 {
     constexpr int kRowsAtOnce = 32;
-    std::vector<CombedPlace> places(combedIndex(0, kCombedSize));
+    std::vector<CombedTexel> table(combedIndex(0, kCombedSize));
     for (int top = 0; top < kCombedSize; top += kRowsAtOnce) {
         if (goesOn && !goesOn())
             return {};
@@ -51,20 +51,20 @@ std::vector<CombedPlace> placesOf(const sim::Skin& skin, const std::function<boo
                     const glm::vec2 uv = glm::vec2(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F) /
                                          static_cast<float>(kCombedSize);
                     if (const std::optional<sim::SurfacePoint> point = skin.atUv({uv.x, 1.0F - uv.y}))
-                        places[combedIndex(x, y)] = {true, point->positionHd, sim::SkinFrame::at(*point)};
+                        table[combedIndex(x, y)] = {true, point->positionHd, sim::SkinFrame::at(*point)};
                 }
         });
     }
     constexpr std::array<glm::ivec2, 4> kBeside = {{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
     for (int round = 0; round < kBleed; ++round) {
-        const std::vector<CombedPlace> before = places;
+        const std::vector<CombedTexel> before = table;
         for (int y = 1; y + 1 < kCombedSize; ++y)
             for (int x = 1; x + 1 < kCombedSize; ++x)
                 for (const glm::ivec2& step : kBeside)
-                    if (CombedPlace& place = places[combedIndex(x, y)]; !place.onSkin)
-                        place = before[combedIndex(x + step.x, y + step.y)];
+                    if (CombedTexel& at = table[combedIndex(x, y)]; !at.onSkin)
+                        at = before[combedIndex(x + step.x, y + step.y)];
     }
-    return places;
+    return table;
 }
 
 /// A scalar map's value at a texel of the painted size.
@@ -81,11 +81,11 @@ float smoothStep(float from, float to, float x)
 }
 
 /// Hd, along the skin.
-glm::vec3 combedAlong(const CombedPlace& place, const FormerCombing& combing)
+glm::vec3 combedAlong(const CombedTexel& at, const FormerCombing& combing)
 {
-    const glm::vec3 n = place.frame.normal;
+    const glm::vec3 n = at.frame.normal;
     const float up = std::clamp(n.y, 0.0F, 1.0F);
-    const float side = place.positionHd.x < 0.0F ? -1.0F : 1.0F;
+    const float side = at.positionHd.x < 0.0F ? -1.0F : 1.0F;
     const float front = std::clamp(n.z, 0.0F, 1.0F);
     const float most = std::max(up, front);
     // Over the face nothing fell straight down once it was combed at all.
@@ -96,7 +96,7 @@ glm::vec3 combedAlong(const CombedPlace& place, const FormerCombing& combing)
     return length > 1e-6F ? along / length : glm::vec3(side, 0.0F, 0.0F);
 }
 
-sim::TiledRaster painted(const HairGroup& group, const FormerCombing& combing, const std::vector<CombedPlace>& places)
+sim::TiledRaster painted(const HairGroup& group, const FormerCombing& combing, const std::vector<CombedTexel>& table)
 {
     const sim::GroupSettings& settings = group.settings;
     const float shortestM = settings.shortestLengthM;
@@ -104,14 +104,14 @@ sim::TiledRaster painted(const HairGroup& group, const FormerCombing& combing, c
     sim::TiledRaster raster = emptyRaster(mapSpec(MapKind::Direction), kCombedSize);
     for (int y = 0; y < kCombedSize; ++y)
         for (int x = 0; x < kCombedSize; ++x) {
-            const CombedPlace& place = places[combedIndex(x, y)];
-            if (!place.onSkin)
+            const CombedTexel& at = table[combedIndex(x, y)];
+            if (!at.onSkin)
                 continue;
             const float lengthM = shortestM + rangeM * scalarAt(group.map(MapKind::Length), x, y);
             const float loose = 1.0F - scalarAt(group.map(MapKind::Gel), x, y);
             const float flatness =
                 kFlattest * smoothStep(kStiffM, kLimpM, lengthM) * loose * loose * (1.0F - combing.body);
-            sim::Texel texel = sim::texelOfDirection(place.frame.fromHd(combedAlong(place, combing)) * flatness);
+            sim::Texel texel = sim::texelOfDirection(at.frame.fromHd(combedAlong(at, combing)) * flatness);
             texel[2] = 65535;
             raster.setTexel(x, y, texel);
         }
@@ -128,8 +128,8 @@ bool paintFormerCombing(Project& project, std::span<const std::optional<FormerCo
     if (project.head == nullptr || project.head->skin == nullptr ||
         std::ranges::none_of(groups, [](const auto& one) { return one.has_value(); }))
         return true;
-    const std::vector<CombedPlace> places = placesOf(*project.head->skin, goesOn);
-    if (places.empty())
+    const std::vector<CombedTexel> table = texelsOf(*project.head->skin, goesOn);
+    if (table.empty())
         return false;
     for (std::size_t i = 0; i < std::min(groups.size(), project.groups.size()); ++i) {
         if (!groups[i])
@@ -141,7 +141,7 @@ bool paintFormerCombing(Project& project, std::span<const std::optional<FormerCo
         combed.size = kCombedSize;
         combed.layers.erase(combed.layers.begin() + 1, combed.layers.end());
         combed.layers.front().name = QCoreApplication::translate("Files", "Parting and sweep back");
-        combed.layers.front().raster = painted(group, *groups[i], places);
+        combed.layers.front().raster = painted(group, *groups[i], table);
         std::swap(group.map(MapKind::Direction), combed);
         if (excessOf(project.groups) != ContentExcess::None)
             std::swap(group.map(MapKind::Direction), combed);

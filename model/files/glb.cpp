@@ -323,8 +323,8 @@ QByteArray glbFromMesh(const RiggedMesh& mesh)
         attributes.insert(QStringLiteral("JOINTS_0"), writer.add(indices4, "VEC4", kUnsignedShort, 1, kArrayBuffer));
         attributes.insert(QStringLiteral("WEIGHTS_0"), writer.add(weights, "VEC4", kFloat, 1, kArrayBuffer));
         std::vector<glm::mat4> inverse;
-        for (const JointPlace& place : placesOf(skeleton))
-            inverse.push_back(inverseBind(place));
+        for (const JointPose& pose : posesOf(skeleton))
+            inverse.push_back(inverseBind(pose));
         joints = nodesOf(skeleton, kFirstNode);
         skin = {{QStringLiteral("inverseBindMatrices"), writer.add(inverse, "MAT4", kFloat, 1, kNoTarget)},
                 {QStringLiteral("joints"), jointNumbers(skeleton, kFirstNode)}};

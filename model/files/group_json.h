@@ -10,7 +10,7 @@ namespace hairpaint::model {
 
 inline constexpr Id kGreatestNextId = 2'000'000'000; ///< Ids of files lie below it.
 
-/// Above every id of groups and layers.
+/// An id above those of all groups and layers.
 [[nodiscard]] Id nextIdOf(const std::vector<HairGroup>& groups);
 /// Whether a file can hold these ids and the counter.
 [[nodiscard]] bool idsFit(const std::vector<HairGroup>& groups, Id nextId);

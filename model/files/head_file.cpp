@@ -3,7 +3,6 @@
 
 #include "model/files/glb.h"
 #include "model/heads/built_in_heads.h"
-#include "model/heads/humanoid_bones.h"
 #include "sim/groom/stream_raster.h"
 #include "sim/skin/head_warp.h"
 #include "sim/skin/landmark_search.h"
@@ -334,24 +333,6 @@ Checked<HeadSkeleton> skeletonOf(const Head& head)
     if (head.upAxis == UpAxis::Z)
         root.rotation = glm::quat(half, -half, 0.0F, 0.0F) * root.rotation;
     return skeleton;
-}
-
-HeadGuess guessHead(const RiggedMesh& source)
-{
-    const glm::vec3 size = sim::boundsOf(source).size();
-    HeadGuess guess;
-    guess.upAxis = size.z > size.y ? UpAxis::Z : UpAxis::Y;
-    const float height = std::max(size.y, size.z);
-    if (!(height > 0.0F))
-        return guess;
-    // From the chin to the crown 0.23 m, a bust with shoulders up to 0.9 m.
-    constexpr float kTypicalHeadM = 0.3F;
-    constexpr float kTypicalBodyM = 1.5F;
-    const float typicalM = humanoidBones(source.skeleton.joints) ? kTypicalBodyM : kTypicalHeadM;
-    constexpr std::array kMetresPerUnit = {1.0F, 0.01F, 0.001F, 0.0254F};
-    const auto distance = [height, typicalM](float scale) { return std::abs(std::log(height * scale / typicalM)); };
-    guess.unitScale = *std::ranges::min_element(kMetresPerUnit, {}, distance);
-    return guess;
 }
 
 } // namespace hairpaint::model

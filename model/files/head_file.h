@@ -1,7 +1,7 @@
 // Heads: the built-in one, and our exact subset of binary glTF that project files hold.
 #pragma once
 
-#include "model/heads/rigged_mesh.h"
+#include "model/files/head_guess.h"
 #include "model/project/project.h"
 #include "model/values/sentences.h"
 
@@ -41,14 +41,5 @@ struct NamedHead
 
 /// The joints of an imported head, Hd; none where it came without.
 [[nodiscard]] Checked<HeadSkeleton> skeletonOf(const Head& head);
-
-/// What scale and axis a mesh of unknown origin most likely has: the one under which it is about a head's size, or a
-/// body's where its joints are those of one, and taller along the axis.
-struct HeadGuess
-{
-    float unitScale = 1.0F;
-    UpAxis upAxis = UpAxis::Y;
-};
-[[nodiscard]] HeadGuess guessHead(const RiggedMesh& source);
 
 } // namespace hairpaint::model

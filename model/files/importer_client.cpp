@@ -85,12 +85,25 @@ QString reasonText(const wire::Refusal& refusal)
         return say(QT_TRANSLATE_NOOP("Files",
                                      "the file '%1', which it needs, is missing; put it where it was saved with "
                                      "this one, and try again"))
-            .arg(shownPath(QString::fromStdString(refusal.file)));
+            .arg(shownPath(QString::fromStdString(refusal.detail)));
     case wire::Reason::OutsideFolder:
         return say(QT_TRANSLATE_NOOP("Files",
                                      "the file '%1', which it needs, lies outside of its folder, where nothing "
                                      "is read; save both into one folder, and try again"))
-            .arg(shownPath(QString::fromStdString(refusal.file)));
+            .arg(shownPath(QString::fromStdString(refusal.detail)));
+    case wire::Reason::UnknownExtension:
+        return say(QT_TRANSLATE_NOOP("Files",
+                                     "it asks for the glTF extension '%1', which is not known here; export it without "
+                                     "that extension"))
+            .arg(shownPath(QString::fromStdString(refusal.detail)));
+    case wire::Reason::UndecodedCompression:
+        return say(QT_TRANSLATE_NOOP("Files",
+                                     "its %1 compression could not be decoded, so it is likely damaged; export it "
+                                     "without compression"))
+            .arg(shownPath(QString::fromStdString(refusal.detail)));
+    case wire::Reason::Malformed:
+        return say(QT_TRANSLATE_NOOP("Files", "it can't be read (%1); try another copy of it, or export it once more"))
+            .arg(shownPath(QString::fromStdString(refusal.detail)));
     }
     return {};
 }

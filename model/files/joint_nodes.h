@@ -15,8 +15,8 @@ namespace hairpaint::model {
 /// The numbers of these nodes.
 [[nodiscard]] QJsonArray jointNumbers(const HeadSkeleton& skeleton, int firstNode);
 
-/// Of a file of ours: `numbers` tells which nodes are joints. None where they are not as nodesOf() writes them; what a
-/// joint says is not looked at.
+/// Reads a file of ours: `numbers` tells which nodes are joints. None if they are not as nodesOf() writes them; the
+/// content of a joint is not checked.
 [[nodiscard]] std::optional<std::vector<HeadJoint>> jointsFromNodes(const QJsonArray& nodes, const QJsonArray& numbers);
 
 } // namespace hairpaint::model

@@ -266,7 +266,7 @@ Checked<bool> readLayers(const ArchiveReader& archive, std::vector<HairGroup>& g
         for (Layer* layer : image.layers)
             layer->raster = image.result->raster;
         if (image.result->ours)
-            cache.insert(image.result->raster, {.bytes = image.png, .checksum = image.checksum, .places = {}});
+            cache.insert(image.result->raster, {.bytes = image.png, .checksum = image.checksum, .stored = {}});
     }
     // Layers of one image, and those of maps that the file lacks, count as they do when it is edited and saved.
     if (excessOf(groups) != ContentExcess::None)

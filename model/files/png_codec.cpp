@@ -192,7 +192,7 @@ PngFile encodeLayer(const sim::TiledRaster& raster, const EncodedLayer* former)
     std::vector<std::size_t> sources(bands.size());
     for (std::size_t band = 1; band < bands.size(); ++band)
         sources[band] = sameTiles(raster, band, raster, band - 1) ? sources[band - 1] : band;
-    const bool isKept = former != nullptr && former->png.places.size() == bands.size();
+    const bool isKept = former != nullptr && former->png.stored.size() == bands.size();
     sim::parallelFor(bands.size(), 1, [&](std::size_t begin, std::size_t end) {
         std::optional<PngRowBuffer> rows;
         for (std::size_t band = begin; band < end; ++band) {

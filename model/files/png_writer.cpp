@@ -67,7 +67,7 @@ void filterRow(int filter, RowBytes row, const std::uint8_t* above, std::uint8_t
     }
 }
 
-/// How far the bytes lie from 0, either way round.
+/// How far the bytes lie from 0, of either sign.
 std::uint32_t distanceFromZero(const std::uint8_t* bytes, std::size_t count)
 {
     std::uint32_t sum = 0;
@@ -151,7 +151,7 @@ private:
 };
 
 /// What zlib would leave of the rows, 0..1, from some of them.
-double zlibsShare(const PngRowBuffer& rows)
+double zlibsRatio(const PngRowBuffer& rows)
 {
     constexpr int kEvery = 32;
     constexpr int kFirst = 15;
@@ -169,10 +169,10 @@ double zlibsShare(const PngRowBuffer& rows)
 /// Whether Huffman codes alone make hardly more of the rows than zlib does, or less.
 bool isNoise(const PngRowBuffer& rows, const PixelHuffman& codes, std::size_t plainBytes)
 {
-    const double share = static_cast<double>(codes.packedBytes()) / static_cast<double>(plainBytes);
+    const double ratio = static_cast<double>(codes.packedBytes()) / static_cast<double>(plainBytes);
     constexpr double kHardlyNoise = 0.25; // One value in three bits or less: zlib finds more.
     constexpr double kHardlyMore = 1.01;
-    return share > kHardlyNoise && share <= kHardlyMore * zlibsShare(rows);
+    return ratio > kHardlyNoise && ratio <= kHardlyMore * zlibsRatio(rows);
 }
 
 std::uint32_t adlerOf(std::uint32_t before, RowBytes bytes)
@@ -271,9 +271,9 @@ PngBand packBand(const PngRowBuffer& rows)
 
 PngBand PngFile::band(std::size_t index) const
 {
-    const Place& place = places[index];
-    PngBand band = place.band;
-    band.packed = bytes.sliced(place.at, place.count);
+    const StoredBand& from = stored[index];
+    PngBand band = from.band;
+    band.packed = bytes.sliced(from.at, from.count);
     return band;
 }
 
@@ -303,16 +303,16 @@ PngFile pngOf(int width, int height, std::span<const PngBand> bands)
 
     PngFile png;
     png.bytes.reserve(packedBytes + 128);
-    png.places.reserve(bands.size());
+    png.stored.reserve(bands.size());
     addPlain(png, QByteArrayView("\x89PNG\r\n\x1a\n", 8));
     addChunk(png, "IHDR", {QByteArrayView(header)});
     addChunk(png, "pHYs", {QByteArrayView(dots)});
     for (const PngBand& band : bands) {
         const QByteArrayView before = &band == &bands.front() ? QByteArrayView(kBegin) : QByteArrayView();
         const QByteArrayView after = &band == &bands.back() ? QByteArrayView(end) : QByteArrayView();
-        PngFile::Place place{.band = band, .at = png.bytes.size() + 8 + before.size(), .count = band.packed.size()};
-        place.band.packed.clear();
-        png.places.push_back(std::move(place));
+        PngFile::StoredBand kept{.band = band, .at = png.bytes.size() + 8 + before.size(), .count = band.packed.size()};
+        kept.band.packed.clear();
+        png.stored.push_back(std::move(kept));
         addChunk(png, "IDAT", {before, {band.packed, band.packedChecksum}, after});
     }
     addChunk(png, "IEND", {});

@@ -43,13 +43,13 @@ struct PngFile
     QByteArray bytes;
     std::uint32_t checksum = 0; ///< CRC-32 of all bytes.
     /// Its bands without what they hold, and where that lies in `bytes`; none where the file was only read.
-    struct Place
+    struct StoredBand
     {
         PngBand band;
         qsizetype at = 0;
         qsizetype count = 0;
     };
-    std::vector<Place> places;
+    std::vector<StoredBand> stored;
 
     [[nodiscard]] PngBand band(std::size_t index) const;
 };

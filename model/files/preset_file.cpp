@@ -119,6 +119,11 @@ Result<void> savePreset(const Preset& preset, const QString& path, const Progres
             return write(preset, path, progress);
         Preset renumbered = preset;
         renumber(renumbered.groups, nextId);
+        for (Worn& one : renumbered.worn) {
+            const auto group = std::ranges::find(preset.groups, one.group, &HairGroup::id);
+            one.group = renumbered.groups[static_cast<std::size_t>(group - preset.groups.begin())].id;
+            one.id = nextId++;
+        }
         return write(renumbered, path, progress);
     });
 }

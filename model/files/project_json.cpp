@@ -324,15 +324,19 @@ Checked<QByteArray> presetToJson(const Preset& preset)
     fields.text("name", preset.name);
     if (preset.head)
         fields.object("head", [&preset](FieldWriter& inner) { writeReference(inner, *preset.head); });
-    fields.integer("next_id", nextIdOf(preset.groups), 1, kGreatestNextId);
+    Id nextId = nextIdOf(preset.groups);
+    for (const Worn& one : preset.worn)
+        nextId = std::max(nextId, one.id + 1);
+    fields.integer("next_id", nextId, 1, kGreatestNextId);
     QJsonObject root = fields.take();
+    wornToPreset(preset.worn, preset.groups, root);
     QJsonArray tags;
     for (const QString& tag : preset.tags)
         if (tags.size() < kMostTags)
             tags.append(tag.left(kLongestName));
     root.insert(QStringLiteral("tags"), tags);
     root.insert(QStringLiteral("groups"), groupsToJson(preset.groups));
-    return toBytes(std::move(root), kPresetFormat, kPlainFormatVersion);
+    return toBytes(std::move(root), kPresetFormat, preset.worn.empty() ? kPlainFormatVersion : kFormatVersion);
 }
 
 Checked<PresetManifest> presetFromJson(const QByteArray& json)
@@ -373,6 +377,10 @@ Checked<PresetManifest> presetFromJson(const QByteArray& json)
     if (!groups)
         return tl::unexpected(groups.error());
     preset.groups = std::move(*groups);
+    Checked<std::vector<Worn>> worn = wornOfPreset(*root, preset.groups, *nextId);
+    if (!worn)
+        return tl::unexpected(worn.error());
+    preset.worn = std::move(*worn);
     return manifest;
 }
 

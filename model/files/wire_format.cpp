@@ -94,7 +94,7 @@ std::uint64_t mostBodyBytes(Kind kind)
     case Kind::Image:
         return 64 + kMostPixels * 8;
     case Kind::Mesh:
-        return 12 + (32ULL + sizeof(model::BoneWeights)) * sim::kMostVertices + 12ULL * sim::kMostTriangles +
+        return 20 + (32ULL + sizeof(model::BoneWeights)) * sim::kMostVertices + 12ULL * sim::kMostTriangles +
                (kJointBytes + model::HeadSkeleton::kLongestName) * model::HeadSkeleton::kMostJoints;
     case Kind::Encoded:
         return kMostEncodedBytes;
@@ -140,6 +140,16 @@ bool readJoints(Reader& reader, model::HeadSkeleton& skeleton)
 bool isLaterReason(std::uint32_t reason)
 {
     return reason == static_cast<std::uint32_t>(Reason::LayersOnly);
+}
+
+bool readTold(Reader& reader, model::ToldSpace& told)
+{
+    std::uint32_t axis = 0;
+    if (!reader.value(told.metresPerUnit) || !reader.value(axis) ||
+        axis > static_cast<std::uint32_t>(model::ToldAxis::Z))
+        return false;
+    told.up = static_cast<model::ToldAxis>(axis);
+    return std::isfinite(told.metresPerUnit) && told.metresPerUnit >= 0.0F;
 }
 
 bool finite(const glm::vec3& v)
@@ -194,7 +204,7 @@ Bytes encodeMesh(const model::RiggedMesh& mesh)
     std::uint64_t jointBytes = kJointBytes * skeleton.joints.size();
     for (const model::HeadJoint& joint : skeleton.joints)
         jointBytes += joint.name.size();
-    Writer writer(Kind::Mesh, 12 + mesh.positionsHd.size() * 32 + mesh.triangles.size() * 12 + jointBytes +
+    Writer writer(Kind::Mesh, 20 + mesh.positionsHd.size() * 32 + mesh.triangles.size() * 12 + jointBytes +
                                   skeleton.weights.size() * sizeof(model::BoneWeights));
     writer.value(static_cast<std::uint32_t>(mesh.positionsHd.size()));
     writer.value(static_cast<std::uint32_t>(mesh.triangles.size()));
@@ -211,6 +221,8 @@ Bytes encodeMesh(const model::RiggedMesh& mesh)
         writer.array(std::span(joint.name));
     }
     writer.array(std::span(skeleton.weights));
+    writer.value(mesh.told.metresPerUnit);
+    writer.value(static_cast<std::uint32_t>(mesh.told.up));
     return writer.take();
 }
 
@@ -232,10 +244,11 @@ Bytes encodeSandbox(const Sandbox& sandbox)
 
 Bytes encodeRefusal(const Refusal& refusal)
 {
-    const auto name = std::span(refusal.file).first(std::min<std::size_t>(refusal.file.size(), kLongestName));
-    Writer writer(Kind::Refusal, 4 + name.size());
+    std::string detail = refusal.detail.substr(0, kLongestName);
+    std::ranges::replace(detail, '\0', '?');
+    Writer writer(Kind::Refusal, 4 + detail.size());
     writer.value(static_cast<std::uint32_t>(refusal.reason));
-    writer.array(name);
+    writer.array(std::span(detail));
     return writer.take();
 }
 
@@ -312,8 +325,8 @@ std::optional<model::RiggedMesh> decodeMesh(std::span<const std::byte> body)
         !reader.array(mesh.normalsHd, vertices) || !reader.array(mesh.uvs, vertices) ||
         !reader.array(mesh.triangles, triangles) || !meshFits(mesh) || !readJoints(reader, mesh.skeleton))
         return std::nullopt;
-    if (!reader.array(mesh.skeleton.weights, mesh.skeleton.empty() ? 0 : vertices) || !reader.atEnd() ||
-        !model::withinLimits(mesh.skeleton, vertices))
+    if (!reader.array(mesh.skeleton.weights, mesh.skeleton.empty() ? 0 : vertices) ||
+        !model::withinLimits(mesh.skeleton, vertices) || !readTold(reader, mesh.told) || !reader.atEnd())
         return std::nullopt;
     return mesh;
 }
@@ -333,14 +346,14 @@ std::optional<Refusal> decodeRefusal(std::span<const std::byte> body)
     Reader reader(body);
     std::uint32_t reason = 0;
     if (!reader.value(reason) || reason < 1 ||
-        (reason > static_cast<std::uint32_t>(Reason::OutsideFolder) && !isLaterReason(reason)))
+        (reason > static_cast<std::uint32_t>(Reason::Malformed) && !isLaterReason(reason)))
         return std::nullopt;
     Refusal refusal(static_cast<Reason>(reason));
-    if (refusal.reason == Reason::MissingFile || refusal.reason == Reason::OutsideFolder) {
+    if (refusal.reason >= Reason::MissingFile && refusal.reason <= Reason::Malformed) {
         std::optional<std::string> name = decodePath(reader.rest());
         if (!name || name->size() > kLongestName)
             return std::nullopt;
-        refusal.file = *std::move(name);
+        refusal.detail = *std::move(name);
     } else if (!reader.atEnd()) {
         return std::nullopt;
     }

@@ -43,17 +43,22 @@ enum class Reason : std::uint32_t
     CannotWriteEnding = 7,
     OutOfMemory = 8,
     UnknownCompression = 9,
-    MissingFile = 10,   ///< A file that the model refers to is missing;
-    OutsideFolder = 11, ///< or lies outside of the model's folder.
-    LayersOnly = 30     ///< Without the picture that its layers make.
+    MissingFile = 10,          ///< A file that the model refers to is missing;
+    OutsideFolder = 11,        ///< or lies outside of the model's folder.
+    UnknownExtension = 12,     ///< An extension that the model can't be read without is not known;
+    UndecodedCompression = 13, ///< or the compression that it names can't be decoded.
+    Malformed = 14,            ///< It breaks its format's rules, and how is told in English.
+    LayersOnly = 30            ///< Without the picture that its layers make.
 };
 
 /// Why there is no other answer.
 struct Refusal
 {
     Reason reason;
-    std::string file; ///< That file, UTF-8, without folders; empty for all other reasons.
-    Refusal(Reason why, std::string named = {}) : reason(why), file(std::move(named)) {}
+    /// UTF-8: that file, without folders, that extension, that compression, or how the rules are broken, as part of a
+    /// sentence; empty for all other reasons.
+    std::string detail;
+    Refusal(Reason why, std::string told = {}) : reason(why), detail(std::move(told)) {}
     friend bool operator==(const Refusal&, const Refusal&) = default;
 };
 

@@ -18,6 +18,11 @@ constexpr const char* kIdKey = "id";
 constexpr const char* kAnchorKey = "anchor";
 constexpr const char* kGroupKey = "group";
 constexpr const char* kSheenKey = "sheen";
+constexpr const char* kMakeKey = "make";
+constexpr const char* kTightnessKey = "tightness";
+constexpr const char* kCoilKey = "coil_radius_m";
+constexpr const char* kPatchKey = "patch";
+constexpr int kGreatestPatch = 65535;
 
 template<typename Fields>
 void visitAnchor(Fields& fields, WornAnchor& anchor)
@@ -28,9 +33,52 @@ void visitAnchor(Fields& fields, WornAnchor& anchor)
     fields.numbers("barycentric", components(anchor.barycentric), 0.0F, 1.0F);
 }
 
+template<typename Fields>
+void visitPatch(Fields& fields, WornPatch& patch)
+{
+    auto number = static_cast<int>(patch.number);
+    fields.integer("number", number, 1, kGreatestPatch);
+    patch.number = static_cast<std::uint16_t>(number);
+    fields.boolean("placed_by_hand", patch.placedByHand);
+    visitAnchor(fields, patch.at);
+}
+
+void visitMake(FieldReader& fields, Worn& worn)
+{
+    const std::span<const WornMake> makes = wornSpec(worn.kind).makes;
+    QString id;
+    fields.text(kMakeKey, id);
+    const auto found =
+        std::ranges::find_if(makes, [&id](const WornMake& make) { return id == QLatin1StringView(make.id); });
+    if (found != makes.end())
+        worn.make = static_cast<std::uint8_t>(found - makes.begin());
+    else if (fields.contains(kMakeKey))
+        fields.complain(kMakeKey);
+}
+void visitMake(FieldWriter& fields, Worn& worn)
+{
+    fields.text(kMakeKey, QString::fromLatin1(wornSpec(worn.kind).makes[worn.make].id));
+}
+
+/// Of a kind that is made of one thing or another, and of ties.
+template<typename Fields>
+void visitMaking(Fields& fields, Worn& worn)
+{
+    const WornSpec& spec = wornSpec(worn.kind);
+    if (!spec.makes.empty())
+        visitMake(fields, worn);
+    if (spec.tie)
+        fields.number(kTightnessKey, worn.tightness, 0.0F, 1.0F);
+    if (spec.coilRadiusM > 0.0F)
+        fields.number(kCoilKey, worn.coilRadiusM, 0.005F, 0.2F);
+}
+
 /// Keys that a writer leaves out where they say nothing.
 void visitOthers(FieldReader& fields, Worn& worn)
 {
+    visitMaking(fields, worn);
+    if (fields.contains(kPatchKey))
+        fields.object(kPatchKey, [&worn](FieldReader& inner) { visitPatch(inner, worn.patch.emplace()); });
     fields.number(kSheenKey, worn.sheen, 0.0F, 1.0F);
     fields.integer(kGroupKey, worn.group, 0, kGreatestNextId);
     if (fields.contains(kAnchorKey))
@@ -38,6 +86,9 @@ void visitOthers(FieldReader& fields, Worn& worn)
 }
 void visitOthers(FieldWriter& fields, Worn& worn)
 {
+    visitMaking(fields, worn);
+    if (worn.patch)
+        fields.object(kPatchKey, [&worn](FieldWriter& inner) { visitPatch(inner, *worn.patch); });
     if (worn.sheen != wornSpec(worn.kind).sheen)
         fields.number(kSheenKey, worn.sheen, 0.0F, 1.0F);
     if (worn.group != 0)
@@ -111,7 +162,11 @@ public:
 private:
     bool parseOne(const QJsonObject& object, const WornSpec& spec, QString& problem)
     {
-        Worn worn{.kind = spec.kind, .colour = spec.colour, .sheen = spec.sheen};
+        Worn worn{.kind = spec.kind,
+                  .colour = spec.colour,
+                  .sheen = spec.sheen,
+                  .tightness = spec.tie ? 1.0F : 0.0F,
+                  .coilRadiusM = spec.coilRadiusM};
         FieldReader fields(object, problem);
         visitWorn(fields, worn);
         const glm::quat& q = worn.shape.rotation;
@@ -120,26 +175,35 @@ private:
             return false;
         if (!m_groups.contains(worn.group))
             worn.group = 0;
+        if (worn.patch && (worn.group == 0 || worn.patch->number == 0 || !m_patches.insert(worn.patch->number).second))
+            worn.patch.reset();
         insertWorn(m_all, worn);
         return true;
     }
 
     Id m_nextId;
+    std::set<std::uint16_t> m_patches;
     std::set<Id> m_ids, m_groups; // A QSet ends the program where memory runs out.
     std::vector<Worn> m_all;
 };
 
 } // namespace
 
+namespace {
+
+QJsonObject written(Worn worn, const char* kind)
+{
+    FieldWriter fields;
+    if (kind != nullptr)
+        fields.text(kKindKey, QString::fromLatin1(kind));
+    visitWorn(fields, worn);
+    return fields.take();
+}
+
+} // namespace
+
 void wornToJson(const std::vector<Worn>& all, const std::vector<HairGroup>& groups, QJsonObject& root)
 {
-    const auto written = [](Worn worn, const char* kind) {
-        FieldWriter fields;
-        if (kind != nullptr)
-            fields.text(kKindKey, QString::fromLatin1(kind));
-        visitWorn(fields, worn);
-        return fields.take();
-    };
     for (const WornSpec& spec : wornSpecs()) {
         if (spec.ownArray == nullptr)
             continue;
@@ -149,6 +213,11 @@ void wornToJson(const std::vector<Worn>& all, const std::vector<HairGroup>& grou
                 array.append(written(one, nullptr));
         root.insert(QLatin1StringView(spec.ownArray), array);
     }
+    wornToPreset(all, groups, root);
+}
+
+void wornToPreset(const std::vector<Worn>& all, const std::vector<HairGroup>& groups, QJsonObject& root)
+{
     QJsonArray others;
     for (Worn one : all) {
         if (std::ranges::find(groups, one.group, &HairGroup::id) == groups.end())
@@ -172,6 +241,14 @@ Checked<std::vector<Worn>> wornFromJson(const QJsonObject& root, const std::vect
         if (spec.ownArray != nullptr)
             if (Checked<void> parsed = parser.parse(root, spec.ownArray, &spec); !parsed)
                 return tl::unexpected(parsed.error());
+    if (Checked<void> parsed = parser.parse(root, kWornKey, nullptr); !parsed)
+        return tl::unexpected(parsed.error());
+    return parser.take();
+}
+
+Checked<std::vector<Worn>> wornOfPreset(const QJsonObject& root, const std::vector<HairGroup>& groups, Id nextId)
+{
+    WornParser parser(groups, nextId);
     if (Checked<void> parsed = parser.parse(root, kWornKey, nullptr); !parsed)
         return tl::unexpected(parsed.error());
     return parser.take();

@@ -10,6 +10,10 @@ namespace hairpaint::model {
 
 /// Into the arrays of the root that the table of kinds names; others into `worn`.
 void wornToJson(const std::vector<Worn>& all, const std::vector<HairGroup>& groups, QJsonObject& root);
+/// The same of a style: all into `worn`, which is not there where there is none.
+void wornToPreset(const std::vector<Worn>& all, const std::vector<HairGroup>& groups, QJsonObject& root);
+[[nodiscard]] Checked<std::vector<Worn>> wornOfPreset(const QJsonObject& root, const std::vector<HairGroup>& groups,
+                                                      Id nextId);
 /// Whether some of it stands in `worn`, which readers of the first two versions do not know.
 [[nodiscard]] bool needsWornArray(const std::vector<Worn>& all);
 

@@ -106,37 +106,37 @@ bool withinLimits(const HeadSkeleton& skeleton, std::size_t vertices)
         skeleton.weights, [&skeleton](const BoneWeights& bones) { return isFitting(bones, skeleton.joints.size()); });
 }
 
-std::vector<JointPlace> placesOf(const HeadSkeleton& skeleton)
+std::vector<JointPose> posesOf(const HeadSkeleton& skeleton)
 {
-    std::vector<JointPlace> places;
-    places.reserve(skeleton.joints.size());
+    std::vector<JointPose> poses;
+    poses.reserve(skeleton.joints.size());
     for (const HeadJoint& joint : skeleton.joints) {
-        const JointPlace parent = joint.parent >= 0 ? places[static_cast<std::size_t>(joint.parent)] : JointPlace{};
-        places.push_back({.position = parent.position + parent.rotation * joint.translation,
-                          .rotation = glm::normalize(parent.rotation * joint.rotation)});
+        const JointPose parent = joint.parent >= 0 ? poses[static_cast<std::size_t>(joint.parent)] : JointPose{};
+        poses.push_back({.position = parent.position + parent.rotation * joint.translation,
+                         .rotation = glm::normalize(parent.rotation * joint.rotation)});
     }
-    return places;
+    return poses;
 }
 
-void setPlaces(HeadSkeleton& skeleton, const std::vector<JointPlace>& places)
+void setPoses(HeadSkeleton& skeleton, const std::vector<JointPose>& poses)
 {
     for (std::size_t i = 0; i < skeleton.joints.size(); ++i) {
         HeadJoint& joint = skeleton.joints[i];
-        const JointPlace parent = joint.parent >= 0 ? places[static_cast<std::size_t>(joint.parent)] : JointPlace{};
+        const JointPose parent = joint.parent >= 0 ? poses[static_cast<std::size_t>(joint.parent)] : JointPose{};
         const glm::quat back = glm::conjugate(parent.rotation);
-        joint.translation = back * (places[i].position - parent.position);
-        const glm::quat turn = glm::normalize(back * places[i].rotation);
+        joint.translation = back * (poses[i].position - parent.position);
+        const glm::quat turn = glm::normalize(back * poses[i].rotation);
         // No part of a unit quaternion is above 1, which rounding may make of it.
         joint.rotation = {glm::clamp(turn.w, -1.0F, 1.0F), glm::clamp(turn.x, -1.0F, 1.0F),
                           glm::clamp(turn.y, -1.0F, 1.0F), glm::clamp(turn.z, -1.0F, 1.0F)};
     }
 }
 
-glm::mat4 inverseBind(const JointPlace& place)
+glm::mat4 inverseBind(const JointPose& pose)
 {
-    const glm::quat back = glm::conjugate(place.rotation);
+    const glm::quat back = glm::conjugate(pose.rotation);
     glm::mat4 matrix = glm::mat4_cast(back);
-    matrix[3] = glm::vec4(back * -place.position, 1.0F);
+    matrix[3] = glm::vec4(back * -pose.position, 1.0F);
     return matrix;
 }
 

@@ -45,7 +45,7 @@ struct HeadSkeleton
 };
 
 /// A joint's position and frame, seen from the mesh's origin.
-struct JointPlace
+struct JointPose
 {
     glm::vec3 position{0.0F};
     glm::quat rotation{1, 0, 0, 0};
@@ -60,10 +60,10 @@ struct JointPlace
 [[nodiscard]] bool withinLimits(const HeadSkeleton& skeleton, std::size_t vertices);
 
 /// By joint.
-[[nodiscard]] std::vector<JointPlace> placesOf(const HeadSkeleton& skeleton);
+[[nodiscard]] std::vector<JointPose> posesOf(const HeadSkeleton& skeleton);
 /// The joints' own translation and rotation, so that they come to stand there.
-void setPlaces(HeadSkeleton& skeleton, const std::vector<JointPlace>& places);
+void setPoses(HeadSkeleton& skeleton, const std::vector<JointPose>& poses);
 /// From the frame that the joint stands in to the joint's own.
-[[nodiscard]] glm::mat4 inverseBind(const JointPlace& place);
+[[nodiscard]] glm::mat4 inverseBind(const JointPose& pose);
 
 } // namespace hairpaint::model

@@ -1,4 +1,4 @@
-// Limbs are told by their names, the trunk by what lies between them: programs number and name its joints in many ways.
+// Limbs are told by their names, the trunk by what lies between them: programs number and name its joints differently.
 #include "model/heads/humanoid_bones.h"
 
 #include "model/heads/joint_names.h"

@@ -92,7 +92,7 @@ struct HumanoidBones
 };
 
 /// All that VRM requires, each below the one that is its parent there. Where some can't be told from the joints' names
-/// and parents, a clause that names them, with the way on.
+/// and parents, a clause that names them, with what to do about it.
 [[nodiscard]] Checked<HumanoidBones> humanoidBones(std::span<const HeadJoint> joints);
 
 } // namespace hairpaint::model

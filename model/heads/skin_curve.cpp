@@ -64,9 +64,9 @@ float SkinCurve::signedDistance(const glm::vec3& p) const
 {
     const glm::vec2 flattened = flat(glm::normalize(foldedOver(p) - m_centre));
     bool isInside = false;
-    for (std::size_t i = 0; i + 1 < m_places.size(); ++i) {
-        const glm::vec2& a = m_places[i];
-        const glm::vec2& b = m_places[i + 1];
+    for (std::size_t i = 0; i + 1 < m_points.size(); ++i) {
+        const glm::vec2& a = m_points[i];
+        const glm::vec2& b = m_points[i + 1];
         if ((a.y > flattened.y) != (b.y > flattened.y) &&
             flattened.x < a.x + (b.x - a.x) * (flattened.y - a.y) / (b.y - a.y))
             isInside = !isInside;
@@ -85,7 +85,7 @@ glm::vec2 SkinCurve::flat(const glm::vec3& direction) const
 void SkinCurve::add(const glm::vec3& mark)
 {
     m_directions.push_back(glm::normalize(mark - m_centre));
-    m_places.push_back(flat(m_directions.back()));
+    m_points.push_back(flat(m_directions.back()));
 }
 
 } // namespace hairpaint::heads

@@ -29,7 +29,7 @@ private:
     glm::vec3 m_axis;
     glm::vec3 m_across;
     std::vector<glm::vec3> m_directions;
-    std::vector<glm::vec2> m_places;
+    std::vector<glm::vec2> m_points;
 };
 
 } // namespace hairpaint::heads

@@ -4,7 +4,7 @@
 #include "model/importing/braid_estimate.h"
 
 #include "model/importing/median.h"
-#include "model/importing/place_grid.h"
+#include "model/importing/position_grid.h"
 #include "model/importing/touching_sets.h"
 #include "sim/groom/strand_curve.h"
 
@@ -43,16 +43,16 @@ constexpr float kTied = 0.6F;         ///< or, where it is narrow somewhere befo
 constexpr float kLeastBraided = 0.5F; ///< Of what is looked at.
 constexpr float kShortestBraidM = 0.03F;
 // Of braids that our own kinds make: the fraction of the square of distances that strands go from side to side is .64
-// to .67 in plaits, .6 in twists; .53 and .75 of turning are in one direction; strands cross one way 2.0 to 2.2 times
-// as often as the other, and 1.2; positions agree, as axes, by .33 and .57. Locks of ringlets come near the one or the
-// other.
+// to .67 in plaits, .6 in twists; .53 and .75 of turning are in one direction; strands cross in one direction 2.0
+// to 2.2 times as often as the other, and 1.2; positions agree, as axes, by .33 and .57. Locks of ringlets come near
+// the one or the other.
 constexpr Range kWeaves{0.5F, 0.8F};
 constexpr float kLies = 0.25F; ///< In a loc; 0 in ours.
 constexpr float kLeastTurns = 1.2F;
-constexpr Range kPlaitTurnsOneWay{0.42F, 0.65F};
+constexpr Range kPlaitSteadiness{0.42F, 0.65F};
 constexpr Range kPlaitSwing{1.7F, 2.5F};
 constexpr Range kPlaitAgreement{0.0F, 0.45F};
-constexpr Range kTwistTurnsOneWay{0.65F, 1.0F};
+constexpr Range kTwistSteadiness{0.65F, 1.0F};
 constexpr Range kTwistSwing{1.0F, 1.5F};
 constexpr Range kTwistAgreement{0.4F, 0.67F};
 constexpr float kGathered = 1.5F;    ///< Roots stand so many times as wide apart as the braid is.
@@ -77,29 +77,29 @@ struct Braid
 class Bundle
 {
 public:
-    Bundle(const ForeignStrands& strands, const CurvePlacement& placement, const PlacedStrands& placed,
+    Bundle(const ForeignStrands& strands, const CurveTransform& transform, const HeadStrands& onHead,
            const std::vector<std::uint32_t>& members)
     {
         std::vector<float> lengths;
         const std::size_t each = std::max<std::size_t>(members.size() / kMostFollowedStrands, 1);
         std::vector<std::vector<glm::vec3>> fromTip;
         for (std::size_t i = 0; i < members.size(); i += each) {
-            const PlacedStrand& strand = placed.strands[members[i]];
+            const HeadStrand& strand = onHead.strands[members[i]];
             std::vector<glm::vec3>& points = fromTip.emplace_back();
             for (const glm::vec3& point : strands.strand(strand.source))
-                points.push_back(placement.toHd(point));
+                points.push_back(transform.toHd(point));
             std::ranges::reverse(points);
             float lengthM = 0.0F;
             for (std::size_t p = 1; p < points.size(); ++p)
                 lengthM += glm::distance(points[p - 1], points[p]);
             lengths.push_back(lengthM);
-            m_rootsHd.push_back(strand.root.placeHd);
+            m_rootsHd.push_back(strand.root.positionHd);
         }
         std::vector<float> sorted = lengths;
         const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(kShortest * static_cast<float>(sorted.size() - 1));
         std::ranges::nth_element(sorted, at);
         m_stepM = *at / static_cast<float>(kSteps - 1);
-        m_placesHd.reserve(fromTip.size() * kSteps);
+        m_samplesHd.reserve(fromTip.size() * kSteps);
         for (const std::vector<glm::vec3>& points : fromTip)
             addEven(points);
         m_count = fromTip.size();
@@ -123,9 +123,9 @@ public:
     }
 
 private:
-    [[nodiscard]] const glm::vec3& place(std::size_t strand, std::size_t step) const
+    [[nodiscard]] const glm::vec3& sample(std::size_t strand, std::size_t step) const
     {
-        return m_placesHd[strand * kSteps + step];
+        return m_samplesHd[strand * kSteps + step];
     }
     [[nodiscard]] const glm::vec2& across(std::size_t strand, std::size_t step) const
     {
@@ -145,7 +145,7 @@ private:
                 lengthM = glm::distance(points[segment - 1], points[segment]);
             }
             const float along = lengthM > 0.0F ? std::clamp((atM - passedM) / lengthM, 0.0F, 1.0F) : 0.0F;
-            m_placesHd.push_back(glm::mix(points[segment - 1], points[segment], along));
+            m_samplesHd.push_back(glm::mix(points[segment - 1], points[segment], along));
         }
     }
 
@@ -156,11 +156,11 @@ private:
         std::array<glm::vec3, kSteps> means{};
         for (std::size_t step = 0; step < kSteps; ++step) {
             for (std::size_t i = 0; i < m_count; ++i)
-                means[step] += place(i, step);
+                means[step] += sample(i, step);
             means[step] /= static_cast<float>(m_count);
             float squares = 0.0F;
             for (std::size_t i = 0; i < m_count; ++i) {
-                const glm::vec3 off = place(i, step) - means[step];
+                const glm::vec3 off = sample(i, step) - means[step];
                 squares += glm::dot(off, off);
             }
             m_widthM[step] = std::sqrt(squares / static_cast<float>(m_count));
@@ -204,7 +204,7 @@ private:
             x /= std::max(glm::length(x), 1e-9F);
             const glm::vec3 y = glm::cross(along, x);
             for (std::size_t i = 0; i < m_count; ++i) {
-                const glm::vec3 off = place(i, step) - m_skeletonHd[step];
+                const glm::vec3 off = sample(i, step) - m_skeletonHd[step];
                 m_across[i * kSteps + step] = {glm::dot(off, x), glm::dot(off, y)};
             }
         }
@@ -240,7 +240,7 @@ private:
     struct Turning
     {
         float anyTurns = 0.0F;
-        float oneWay = 0.0F; ///< 0..1.
+        float steadiness = 0.0F; ///< 0..1.
     };
     [[nodiscard]] Turning turning(float distanceM) const
     {
@@ -263,7 +263,7 @@ private:
             one += std::abs(round);
         }
         return {.anyTurns = any / glm::two_pi<float>() / static_cast<float>(m_count),
-                .oneWay = one / std::max(any, 1e-6F)};
+                .steadiness = one / std::max(any, 1e-6F)};
     }
 
     /// How much more often strands cross the skeleton in the direction in which they do most than in that in which they
@@ -331,19 +331,19 @@ private:
         };
         const float gathered = rootsWidthM() / std::max(distanceM, 1e-6F);
         if (kWeaves.has(fraction)) {
-            const auto [anyTurns, oneWay] = turning(distanceM);
+            const auto [anyTurns, steadiness] = turning(distanceM);
             if (anyTurns < kLeastTurns || gathered < kGathered)
                 return false;
             const float swings = swing(distanceM);
             const float agreement = opposition();
-            if (kPlaitTurnsOneWay.has(oneWay) && kPlaitSwing.has(swings) && kPlaitAgreement.has(agreement)) {
+            if (kPlaitSteadiness.has(steadiness) && kPlaitSwing.has(swings) && kPlaitAgreement.has(agreement)) {
                 braid.kind = sim::BraidKind::Plait;
                 braid.radiusM = radiusBy(1.0F, sim::kWispRadiusFraction);
                 return true;
             }
             braid.kind = sim::BraidKind::Twist;
             braid.radiusM = radiusBy(sim::kTwistFraction * sim::kTwistFraction, sim::kTwistWispFraction);
-            return kTwistTurnsOneWay.has(oneWay) && kTwistSwing.has(swings) && kTwistAgreement.has(agreement);
+            return kTwistSteadiness.has(steadiness) && kTwistSwing.has(swings) && kTwistAgreement.has(agreement);
         }
         const auto [thinnest, widest] = std::minmax_element(m_widthM.begin() + static_cast<std::ptrdiff_t>(m_first),
                                                             m_widthM.begin() + static_cast<std::ptrdiff_t>(m_end));
@@ -354,9 +354,9 @@ private:
 
     float m_stepM = 0.0F;
     std::size_t m_count = 0;
-    std::size_t m_first = 0;           ///< Steps at which it is a whole braid,
-    std::size_t m_end = 0;             ///< and one behind.
-    std::vector<glm::vec3> m_placesHd; ///< [strands][kSteps].
+    std::size_t m_first = 0;            ///< Steps at which it is a whole braid,
+    std::size_t m_end = 0;              ///< and one behind.
+    std::vector<glm::vec3> m_samplesHd; ///< [strands][kSteps].
     std::vector<glm::vec3> m_rootsHd;
     std::vector<glm::vec2> m_across; ///< [strands][kSteps], m.
     std::array<glm::vec3, kSteps> m_skeletonHd{};
@@ -382,7 +382,7 @@ float gapM(std::span<const glm::vec3> rootsHd, std::span<const std::vector<std::
     for (std::uint32_t patch = 0; patch < patches.size(); ++patch)
         for (const std::uint32_t root : patches[patch])
             patchOf[root] = patch;
-    const PlaceGrid grid(rootsHd, kWidestGapM);
+    const PositionGrid grid(rootsHd, kWidestGapM);
     float squared = kWidestGapM * kWidestGapM;
     for (std::uint32_t root = 0; root < rootsHd.size(); ++root)
         grid.near(rootsHd[root], std::sqrt(squared), [&](std::uint32_t other) {
@@ -396,12 +396,12 @@ float gapM(std::span<const glm::vec3> rootsHd, std::span<const std::vector<std::
 
 /// What keeps that many braids apart: where each has a patch of roots of its own, more than a patch is wide; else what
 /// is usual between them.
-void setSpacing(std::span<const glm::vec3> rootsHd, std::span<const glm::vec3> middlesHd, PlacedStrands& placed)
+void setSpacing(std::span<const glm::vec3> rootsHd, std::span<const glm::vec3> middlesHd, HeadStrands& onHead)
 {
     const std::vector<std::vector<std::uint32_t>> patches = touchingSets(rootsHd, kPatchCellM);
     if (middlesHd.size() < 2 || patches.size() >= middlesHd.size()) {
-        placed.braidSpacingM = kWiderThanPatchesM;
-        placed.braidGapM = gapM(rootsHd, patches);
+        onHead.braidSpacingM = kWiderThanPatchesM;
+        onHead.braidGapM = gapM(rootsHd, patches);
         return;
     }
     std::vector<float> nearestM;
@@ -412,11 +412,11 @@ void setSpacing(std::span<const glm::vec3> rootsHd, std::span<const glm::vec3> m
                 squared = std::min(squared, glm::dot(other - middle, other - middle));
         nearestM.push_back(std::sqrt(squared));
     }
-    placed.braidSpacingM = kSpacingOfNearest * medianOf(nearestM);
+    onHead.braidSpacingM = kSpacingOfNearest * medianOf(nearestM);
 }
 
 /// Writes braids into their strands.
-void tell(std::span<const Braid> braids, PlacedStrands& placed)
+void tell(std::span<const Braid> braids, HeadStrands& onHead)
 {
     std::vector<float> radiiM;
     std::vector<glm::vec3> rootsHd;   // Of all that are braided,
@@ -425,29 +425,29 @@ void tell(std::span<const Braid> braids, PlacedStrands& placed)
         radiiM.push_back(braid.radiusM);
         glm::vec3& middleHd = middlesHd.emplace_back(0.0F);
         for (const std::uint32_t index : braid.strands) {
-            PlacedStrand& strand = placed.strands[index];
+            HeadStrand& strand = onHead.strands[index];
             strand.shape = {.lengthM = braid.lengthM};
             strand.held = 0.0F;
             strand.braid = braid.kind;
-            rootsHd.push_back(strand.root.placeHd);
-            middleHd += strand.root.placeHd / static_cast<float>(braid.strands.size());
+            rootsHd.push_back(strand.root.positionHd);
+            middleHd += strand.root.positionHd / static_cast<float>(braid.strands.size());
         }
     }
-    placed.braidRadiusM = medianOf(radiiM);
-    setSpacing(rootsHd, middlesHd, placed);
+    onHead.braidRadiusM = medianOf(radiiM);
+    setSpacing(rootsHd, middlesHd, onHead);
 }
 
 } // namespace
 
-bool estimateBraids(const ForeignStrands& strands, const CurvePlacement& placement, PlacedStrands& placed,
+bool estimateBraids(const ForeignStrands& strands, const CurveTransform& transform, HeadStrands& onHead,
                     const Progress& progress)
 {
     std::vector<glm::vec3> tipsHd;
-    tipsHd.reserve(placed.strands.size());
-    for (const PlacedStrand& strand : placed.strands)
-        tipsHd.push_back(placement.toHd(strands.strand(strand.source).back()));
+    tipsHd.reserve(onHead.strands.size());
+    for (const HeadStrand& strand : onHead.strands)
+        tipsHd.push_back(transform.toHd(strands.strand(strand.source).back()));
     const std::vector<std::vector<std::uint32_t>> bundles = touchingSets(tipsHd, kTipCellM);
-    const std::size_t fewest = std::max(kFewestStrands, placed.strands.size() / kFewestOf);
+    const std::size_t fewest = std::max(kFewestStrands, onHead.strands.size() / kFewestOf);
     std::vector<Braid> braids;
     std::size_t braided = 0;
     for (std::size_t i = 0; i < bundles.size(); ++i) {
@@ -455,15 +455,15 @@ bool estimateBraids(const ForeignStrands& strands, const CurvePlacement& placeme
             return false;
         if (bundles[i].size() < fewest || !isNarrow(bundles[i], tipsHd))
             continue;
-        std::optional<Braid> braid = Bundle(strands, placement, placed, bundles[i]).braid();
+        std::optional<Braid> braid = Bundle(strands, transform, onHead, bundles[i]).braid();
         if (!braid)
             continue;
         braided += bundles[i].size();
         braid->strands = bundles[i];
         braids.push_back(std::move(*braid));
     }
-    if (!braids.empty() && static_cast<float>(braided) >= kFewBraided * static_cast<float>(placed.strands.size()))
-        tell(braids, placed);
+    if (!braids.empty() && static_cast<float>(braided) >= kFewBraided * static_cast<float>(onHead.strands.size()))
+        tell(braids, onHead);
     return true;
 }
 

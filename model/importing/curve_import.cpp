@@ -90,8 +90,8 @@ Result<std::vector<HairGroup>> groupsFromCurves(const QString& path, const Curve
             *leftOut = curves->leftOut;
         mergeMany(*curves);
         turnTipFirst(*curves, choice, *head->skin);
-        const std::optional<CurvePlacement> placement = placeCurves(*curves, choice, *head->skin);
-        if (!placement)
+        const std::optional<CurveTransform> transform = fitCurves(*curves, choice, *head->skin);
+        if (!transform)
             return choice.metresPerUnit ? fitsNotAsTold(path) : fitsNowhere(path);
         const std::optional<SkinTexels> texels =
             SkinTexels::of(*head->skin, mapSizeFor(*curves), partOfImport(progress, kCurvesRead, kTexelsFound));
@@ -102,19 +102,19 @@ Result<std::vector<HairGroup>> groupsFromCurves(const QString& path, const Curve
             const ForeignStrands& strands = curves->groups[i];
             const double part = (1.0 - kTexelsFound) / static_cast<double>(curves->groups.size());
             const double from = kTexelsFound + part * static_cast<double>(i);
-            std::optional<PlacedStrands> placed =
-                placeStrands(strands, *placement, *head->skin, head->distances.get(),
-                             partOfImport(progress, from, from + part * kStrandsMeasured));
-            if (!placed)
+            std::optional<HeadStrands> onHead =
+                strandsOnHead(strands, *transform, *head->skin, head->distances.get(),
+                              partOfImport(progress, from, from + part * kStrandsMeasured));
+            if (!onHead)
                 return cancelled(path);
-            if (placed->strands.empty())
+            if (onHead->strands.empty())
                 continue;
             const double measured = from + part * kStrandsMeasured;
-            if (!estimateBraids(strands, *placement, *placed, partOfImport(progress, measured, measured)))
+            if (!estimateBraids(strands, *transform, *onHead, partOfImport(progress, measured, measured)))
                 return cancelled(path);
             const QString name = strands.name.isEmpty() ? QFileInfo(path).completeBaseName() : strands.name;
             std::optional<HairGroup> group =
-                groupFromStrands(*placed, strands.hasColours, *texels, name, head,
+                groupFromStrands(*onHead, strands.hasColours, *texels, name, head,
                                  partOfImport(progress, from + part * kStrandsMeasured, from + part));
             if (!group)
                 return cancelled(path);

@@ -1,7 +1,7 @@
 // Hair of other programs as hair groups.
 #pragma once
 
-#include "model/importing/curve_placing.h"
+#include "model/importing/curve_fit.h"
 #include "model/project/project.h"
 #include "model/values/error.h"
 #include "model/values/progress.h"
@@ -11,7 +11,7 @@
 
 namespace hairpaint::model {
 
-/// Reads a file of curves (curve_reader.h), places them on the head and tells the maps from them: a group for each that
+/// Reads a file of curves (curve_reader.h), fits them to the head and tells the maps from them: a group for each that
 /// the file names; one named after the file where it names none, or more than sixteen. Ids are nobody's yet. Fails
 /// where the file can't be read, its hair does not fit on this head, or `progress` cancels. `leftOut`: how
 /// many strands were none, of one point or with a point that is no number. Any thread; 100,000 strands

@@ -87,7 +87,7 @@ bool readValues(QIODevice& file, T* values, std::size_t count)
     return file.read(reinterpret_cast<char*>(values), bytes) == bytes;
 }
 
-bool isFinitePlace(const glm::vec3& v)
+bool isFinitePoint(const glm::vec3& v)
 {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -184,7 +184,7 @@ private:
     {
         const auto wide = [](float width) { return std::isfinite(width) && width > 0.0F ? width : 0.0F; };
         const auto light = [](const glm::vec3& colour) {
-            return isFinitePlace(colour) ? glm::clamp(colour, 0.0F, 1.0F) : glm::vec3(0.0F);
+            return isFinitePoint(colour) ? glm::clamp(colour, 0.0F, 1.0F) : glm::vec3(0.0F);
         };
         strands.looks.assign(strands.count(), {.rootWidth = wide(m_header.thickness),
                                                .tipWidth = wide(m_header.thickness),

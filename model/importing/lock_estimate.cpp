@@ -4,7 +4,7 @@
 // d / sqrt(area of a cell) edges in the mean.
 #include "model/importing/lock_estimate.h"
 
-#include "model/importing/place_grid.h"
+#include "model/importing/position_grid.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -34,13 +34,13 @@ struct Agreement
 };
 
 /// Mean cosine between a coil's phase and those of its neighbours, by how many are nearer.
-std::array<Agreement, kBins> agreements(std::span<const PlacedStrand> coils)
+std::array<Agreement, kBins> agreements(std::span<const HeadStrand> coils)
 {
     std::vector<glm::vec3> rootsHd;
     rootsHd.reserve(coils.size());
-    for (const PlacedStrand& strand : coils)
-        rootsHd.push_back(strand.root.placeHd);
-    const PlaceGrid grid(rootsHd, 0.004F);
+    for (const HeadStrand& strand : coils)
+        rootsHd.push_back(strand.root.positionHd);
+    const PositionGrid grid(rootsHd, 0.004F);
     std::array<Agreement, kBins> bins;
     std::vector<std::pair<float, std::uint32_t>> near;
     const std::size_t step = std::max<std::size_t>(coils.size() / kMostAsked, 1);
@@ -83,11 +83,11 @@ float clumpOf(float agreement)
 
 } // namespace
 
-LockEstimate estimateLocks(std::span<const PlacedStrand> strands)
+LockEstimate estimateLocks(std::span<const HeadStrand> strands)
 {
-    std::vector<PlacedStrand> coils;
+    std::vector<HeadStrand> coils;
     std::ranges::copy_if(strands, std::back_inserter(coils),
-                         [](const PlacedStrand& strand) { return strand.shape.turns > 0.0F; });
+                         [](const HeadStrand& strand) { return strand.shape.turns > 0.0F; });
     if (coils.size() < kMostRanks || 2 * coils.size() < strands.size())
         return {};
     const std::array<Agreement, kBins> bins = agreements(coils);

@@ -1,7 +1,7 @@
 // How coiled hair hangs together in locks.
 #pragma once
 
-#include "model/importing/placed_strands.h"
+#include "model/importing/head_strands.h"
 
 #include <span>
 
@@ -14,6 +14,6 @@ struct LockEstimate
 };
 
 /// From how far the coils of neighbours are in phase. About 50 ms.
-[[nodiscard]] LockEstimate estimateLocks(std::span<const PlacedStrand> strands);
+[[nodiscard]] LockEstimate estimateLocks(std::span<const HeadStrand> strands);
 
 } // namespace hairpaint::model

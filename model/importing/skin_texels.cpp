@@ -15,7 +15,7 @@ constexpr int kTexelRows = 64;
 
 struct FoundTexel
 {
-    glm::vec3 placeHd;
+    glm::vec3 positionHd;
     sim::SkinFrame frame;
     float areaM2;
 };
@@ -50,7 +50,7 @@ std::optional<SkinTexels> SkinTexels::of(const sim::Skin& skin, int size, const 
             if (!found[i] || !(found[i]->areaM2 > 0.0F))
                 continue;
             texels.texel.push_back(static_cast<std::uint32_t>(static_cast<std::size_t>(first) * across + i));
-            texels.placeHd.push_back(found[i]->placeHd);
+            texels.positionsHd.push_back(found[i]->positionHd);
             texels.frame.push_back(found[i]->frame);
             texels.areaM2.push_back(found[i]->areaM2);
         }
@@ -61,23 +61,23 @@ std::optional<SkinTexels> SkinTexels::of(const sim::Skin& skin, int size, const 
         std::ranges::nth_element(areas, middle);
         texels.sideM = std::sqrt(*middle);
     }
-    texels.sortByPlace();
+    texels.sortByPosition();
     return texels;
 }
 
-void SkinTexels::sortByPlace()
+void SkinTexels::sortByPosition()
 {
-    const PlaceGrid unsorted(placeHd, kTexelGridM);
+    const PositionGrid unsorted(positionsHd, kTexelGridM);
     const auto sort = [&unsorted](auto& values) {
         auto sorted = values;
         std::ranges::transform(unsorted.order(), sorted.begin(), [&values](std::uint32_t i) { return values[i]; });
         values = std::move(sorted);
     };
     sort(texel);
-    sort(placeHd);
+    sort(positionsHd);
     sort(frame);
     sort(areaM2);
-    grid.emplace(placeHd, kTexelGridM);
+    grid.emplace(positionsHd, kTexelGridM);
 }
 
 } // namespace hairpaint::model

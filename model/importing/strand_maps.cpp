@@ -73,8 +73,8 @@ float roundUp(float value)
 class GroupMaker
 {
 public:
-    GroupMaker(const PlacedStrands& placed, const SkinTexels& texels, const StrandSums& sums, double skinAreaM2)
-        : m_placed(placed), m_texels(texels), m_sums(sums), m_skinAreaM2(skinAreaM2)
+    GroupMaker(const HeadStrands& onHead, const SkinTexels& texels, const StrandSums& sums, double skinAreaM2)
+        : m_onHead(onHead), m_texels(texels), m_sums(sums), m_skinAreaM2(skinAreaM2)
     {}
 
     [[nodiscard]] HairGroup fill(HairGroup group, bool hasColours) const
@@ -166,7 +166,7 @@ private:
 
     void writeBraids(HairGroup& group) const
     {
-        if (m_placed.braidRadiusM <= 0.0F)
+        if (m_onHead.braidRadiusM <= 0.0F)
             return;
         MapValues<glm::vec4> weights(m_texels.size);
         for (std::size_t i = 0; i < m_texels.count(); ++i) {
@@ -183,14 +183,14 @@ private:
                 heaviest = all[kind] > all[heaviest] ? kind : heaviest;
             return sim::Texel{static_cast<std::uint16_t>(heaviest), 65535};
         });
-        group.settings.braidRadiusM = std::clamp(m_placed.braidRadiusM, 0.0005F, 0.2F);
-        group.settings.braidSpacingM = std::clamp(m_placed.braidSpacingM, 0.005F, 2.0F);
+        group.settings.braidRadiusM = std::clamp(m_onHead.braidRadiusM, 0.0005F, 0.2F);
+        group.settings.braidSpacingM = std::clamp(m_onHead.braidSpacingM, 0.005F, 2.0F);
         group.settings.nodesPerHair = kMostImportedNodes; // They hang and lie in bends.
         // As many basis hairs as tell patches apart.
         constexpr float kNarrower = 0.7F; ///< The map's are a little wider than the hair's.
         constexpr double kMostForGaps = 65536.0;
-        if (m_placed.braidGapM > 0.0F) {
-            const double spacingM = kNarrower * m_placed.braidGapM / sim::kBraidReachSpacings;
+        if (m_onHead.braidGapM > 0.0F) {
+            const double spacingM = kNarrower * m_onHead.braidGapM / sim::kBraidReachSpacings;
             group.settings.basisHairs =
                 std::max(group.settings.basisHairs,
                          static_cast<int>(std::min(m_skinAreaM2 / (spacingM * spacingM), kMostForGaps)));
@@ -218,7 +218,7 @@ private:
 
     void writeLocks(HairGroup& group) const
     {
-        const LockEstimate locks = estimateLocks(m_placed.strands);
+        const LockEstimate locks = estimateLocks(m_onHead.strands);
         if (locks.clump <= 0.0F)
             return;
         writeLayer(group, MapKind::Clump, [&](std::size_t) { return sim::Texel{unit16(locks.clump), 65535}; });
@@ -239,8 +239,8 @@ private:
         constexpr float kEnough = 0.5F; ///< Weight of roots that need no hair from elsewhere.
         MapValues<glm::vec2> map(m_texels.size);
         for (std::size_t i = 0; i < m_texels.count(); ++i) {
-            const WaySum& own = m_sums.roots[i];
-            const WaySum& further = m_sums.further[i];
+            const DirectionSum& own = m_sums.roots[i];
+            const DirectionSum& further = m_sums.further[i];
             const sim::SkinFrame& frame = m_texels.frame[i];
             if (own.weight > 0.0F && (own.weight >= kEnough || further.weight <= 0.0F))
                 map.set(m_texels.texel[i], own.in(frame));
@@ -273,8 +273,8 @@ private:
                 if (known[y * side + x] != 0)
                     any[y / kCell * cells + x / kCell] = 1.0F;
         MapValues<float> near(m_texels.size);
-        const auto at = [cells](float place) {
-            const float moved = std::clamp(place / kCell - 0.5F, 0.0F, static_cast<float>(cells - 1));
+        const auto at = [cells](float coordinate) {
+            const float moved = std::clamp(coordinate / kCell - 0.5F, 0.0F, static_cast<float>(cells - 1));
             const auto low = std::min(static_cast<std::size_t>(moved), cells - 2);
             return std::pair(low, moved - static_cast<float>(low));
         };
@@ -301,11 +301,11 @@ private:
         };
         write(MapKind::Colour, &TexelSum::rootColour);
         constexpr float kAlike = 1.5F / 255.0F;
-        const auto differs = [](const PlacedStrand& strand) {
+        const auto differs = [](const HeadStrand& strand) {
             const glm::vec3 by = glm::abs(strand.look.tipColour - strand.look.rootColour);
             return std::max({by.r, by.g, by.b}) > kAlike;
         };
-        if (std::ranges::any_of(m_placed.strands, differs))
+        if (std::ranges::any_of(m_onHead.strands, differs))
             write(MapKind::TipColour, &TexelSum::tipColour);
     }
 
@@ -314,28 +314,28 @@ private:
     {
         std::vector<float> widths;
         std::vector<float> taper;
-        for (const PlacedStrand& strand : m_placed.strands)
+        for (const HeadStrand& strand : m_onHead.strands)
             if (strand.look.rootWidth >= kThinnestStrandM && strand.look.rootWidth <= kWidestStrandM) {
                 widths.push_back(strand.look.rootWidth);
                 taper.push_back(std::clamp(strand.look.tipWidth / strand.look.rootWidth, 0.0F, 1.0F));
             }
-        if (2 * widths.size() > m_placed.strands.size()) {
+        if (2 * widths.size() > m_onHead.strands.size()) {
             settings.material.widthM = medianOf(widths);
             settings.material.tipAlpha = medianOf(taper);
         }
         std::vector<float> points; // Of strands without a coil: two a segment, as they are exported.
-        for (const PlacedStrand& strand : m_placed.strands)
+        for (const HeadStrand& strand : m_onHead.strands)
             if (strand.shape.turns == 0.0F && strand.braid == sim::BraidKind::None)
                 points.push_back(static_cast<float>(strand.points));
-        if (2 * points.size() > m_placed.strands.size())
+        if (2 * points.size() > m_onHead.strands.size())
             settings.nodesPerHair =
                 std::clamp(static_cast<int>(medianOf(points) + 2.0F) / 2, sim::kLeastNodes, kMostImportedNodes);
         // Hair rises a little above its height in the coat before it lies, so that half of it lies at all of the
         // coat's.
-        settings.physics.volumeM = std::clamp(m_placed.heightM, 0.0F, 0.05F);
+        settings.physics.volumeM = std::clamp(m_onHead.heightM, 0.0F, 0.05F);
     }
 
-    const PlacedStrands& m_placed;
+    const HeadStrands& m_onHead;
     const SkinTexels& m_texels;
     const StrandSums& m_sums;
     double m_skinAreaM2;
@@ -343,16 +343,16 @@ private:
 
 } // namespace
 
-std::optional<HairGroup> groupFromStrands(const PlacedStrands& placed, bool hasColours, const SkinTexels& texels,
+std::optional<HairGroup> groupFromStrands(const HeadStrands& onHead, bool hasColours, const SkinTexels& texels,
                                           const QString& name, const std::shared_ptr<const Head>& head,
                                           const Progress& progress)
 {
-    const std::optional<StrandSums> sums = summed(placed, texels, progress);
+    const std::optional<StrandSums> sums = summed(onHead, texels, progress);
     if (!sums)
         return std::nullopt;
     Project nobody;
     nobody.head = head;
-    return GroupMaker(placed, texels, *sums, head->skin->areaM2())
+    return GroupMaker(onHead, texels, *sums, head->skin->areaM2())
         .fill(makeGroup(nobody, name, texels.size), hasColours);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kFewestTurns = 1.2F; ///< With fewer, nothing tells a coil from a bend.
 constexpr float kLeastRadiusM = 3e-4F;
-constexpr float kSteady = 0.8F;     ///< A coil goes round in one direction for so much of its way.
+constexpr float kSteady = 0.8F;     ///< A coil goes round in one direction for so much of its length.
 constexpr float kUneven = 0.35F;    ///< Of its radius, that it differs by in the mean.
 constexpr float kLongestM = 100.0F; ///< Longer ones are no hair.
 constexpr float kLookedAt = 0.6F;   ///< Of a strand: where its phase is told.
@@ -30,11 +30,11 @@ float turning(std::span<const glm::vec3> points)
     float sum = 0.0F;
     glm::vec3 last(0.0F);
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const glm::vec3 way = points[i] - points[i - 1];
-        const float length = glm::length(way);
+        const glm::vec3 step = points[i] - points[i - 1];
+        const float length = glm::length(step);
         if (!(length > 1e-7F))
             continue;
-        const glm::vec3 direction = way / length;
+        const glm::vec3 direction = step / length;
         if (last != glm::vec3(0.0F))
             sum += std::acos(std::clamp(glm::dot(direction, last), -1.0F, 1.0F));
         last = direction;
@@ -100,7 +100,7 @@ Coiling coilingOf(std::span<const glm::vec3> points, float windowM, StrandScratc
     const float lengthM = scratch.alongM.back();
     std::vector<glm::vec3>& axis = scratch.axisHd;
     axis.assign(1, points.front());
-    glm::vec3 lastPlace(0.0F);
+    glm::vec3 lastCentre(0.0F);
     glm::vec3 lastDirection(0.0F);
     glm::vec3 lastAside(0.0F);
     float lastAtM = 0.0F;
@@ -115,19 +115,19 @@ Coiling coilingOf(std::span<const glm::vec3> points, float windowM, StrandScratc
         const float atM = scratch.alongM[i];
         if (atM < 0.5F * windowM || atM > lengthM - 0.5F * windowM)
             continue;
-        const glm::vec3 place = meanAround(scratch, atM, windowM);
+        const glm::vec3 centre = meanAround(scratch, atM, windowM);
         // Over a whole window, so that what a window of not quite one turn leaves of the coil turns nothing round.
         const float ahead = std::min(0.5F * windowM, lengthM - 0.5F * windowM - atM + 0.1F * windowM);
         const float behind = std::min(0.5F * windowM, atM - 0.5F * windowM + 0.1F * windowM);
-        const glm::vec3 way = meanAround(scratch, atM + ahead, windowM) - meanAround(scratch, atM - behind, windowM);
-        if (!(glm::dot(way, way) > 0.0F))
+        const glm::vec3 step = meanAround(scratch, atM + ahead, windowM) - meanAround(scratch, atM - behind, windowM);
+        if (!(glm::dot(step, step) > 0.0F))
             continue;
-        const glm::vec3 direction = glm::normalize(way);
-        const glm::vec3 offset = points[i] - place;
+        const glm::vec3 direction = glm::normalize(step);
+        const glm::vec3 offset = points[i] - centre;
         const glm::vec3 aside = offset - direction * glm::dot(offset, direction);
         if (lastDirection != glm::vec3(0.0F)) {
             innerAlongM += atM - lastAtM;
-            innerM += glm::dot(place - lastPlace, direction);
+            innerM += glm::dot(centre - lastCentre, direction);
             // The last one, carried along by what turns one direction into the other.
             const glm::vec3 bisector = lastDirection + direction;
             const glm::vec3 carried =
@@ -143,16 +143,16 @@ Coiling coilingOf(std::span<const glm::vec3> points, float windowM, StrandScratc
             radii2 += radius * radius;
             counted += 1.0F;
         }
-        axis.push_back(place);
-        lastPlace = place;
+        axis.push_back(centre);
+        lastCentre = centre;
         lastAtM = atM;
         lastDirection = direction;
         lastAside = aside;
     }
     if (axis.size() < 3)
         return {};
-    axis.push_back(lastPlace + lastDirection * std::max(glm::dot(points.back() - lastPlace, lastDirection), 0.0F));
-    const float wholeM = glm::distance(axis[0], axis[1]) + innerM + glm::distance(lastPlace, axis.back());
+    axis.push_back(lastCentre + lastDirection * std::max(glm::dot(points.back() - lastCentre, lastDirection), 0.0F));
+    const float wholeM = glm::distance(axis[0], axis[1]) + innerM + glm::distance(lastCentre, axis.back());
     if (!(innerM > 0.0F))
         return {};
     return {.turns = std::abs(round) / glm::two_pi<float>() * wholeM / innerM,
@@ -165,10 +165,10 @@ Coiling coilingOf(std::span<const glm::vec3> points, float windowM, StrandScratc
 
 glm::vec3 asideAt(std::span<const glm::vec3> points, float atM, float windowM, const StrandScratch& scratch)
 {
-    const glm::vec3 offset = placeAlong(points, atM) - meanAround(scratch, atM, windowM);
-    const glm::vec3 way =
+    const glm::vec3 offset = pointAlong(points, atM) - meanAround(scratch, atM, windowM);
+    const glm::vec3 step =
         meanAround(scratch, atM + 0.5F * windowM, windowM) - meanAround(scratch, atM - 0.5F * windowM, windowM);
-    const glm::vec3 aside = offset - way * (glm::dot(offset, way) / std::max(glm::dot(way, way), 1e-12F));
+    const glm::vec3 aside = offset - step * (glm::dot(offset, step) / std::max(glm::dot(step, step), 1e-12F));
     const float length = glm::length(aside);
     return length > 0.0F ? aside / length : glm::vec3(0.0F);
 }

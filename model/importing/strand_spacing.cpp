@@ -1,7 +1,7 @@
 // By the distance of one of the nearest neighbours.
 #include "model/importing/strand_spacing.h"
 
-#include "model/importing/place_grid.h"
+#include "model/importing/position_grid.h"
 #include "sim/base/parallel.h"
 
 #include <glm/gtc/constants.hpp>
@@ -21,13 +21,13 @@ constexpr std::size_t kMostLookedAt = 512; ///< All of them may have one root.
 
 } // namespace
 
-std::vector<float> strandSpacingsM(const std::vector<PlacedStrand>& strands)
+std::vector<float> strandSpacingsM(const std::vector<HeadStrand>& strands)
 {
     std::vector<glm::vec3> rootsHd;
     rootsHd.reserve(strands.size());
-    for (const PlacedStrand& strand : strands)
-        rootsHd.push_back(strand.root.placeHd);
-    const PlaceGrid grid(rootsHd, 0.003F);
+    for (const HeadStrand& strand : strands)
+        rootsHd.push_back(strand.root.positionHd);
+    const PositionGrid grid(rootsHd, 0.003F);
     std::vector<float> spacings(strands.size(), kFurthestApartM);
     const float perRadius = std::sqrt(glm::pi<float>() / static_cast<float>(kNeighboursCounted));
     sim::parallelFor(strands.size(), 256, [&](std::size_t begin, std::size_t end) {
@@ -36,8 +36,8 @@ std::vector<float> strandSpacingsM(const std::vector<PlacedStrand>& strands)
             for (const float radiusM : kLookedAroundM) {
                 squares.clear();
                 grid.near(rootsHd[i], radiusM, [&](std::uint32_t other) {
-                    const glm::vec3 way = rootsHd[other] - rootsHd[i];
-                    if (const float square = glm::dot(way, way); square <= radiusM * radiusM)
+                    const glm::vec3 offset = rootsHd[other] - rootsHd[i];
+                    if (const float square = glm::dot(offset, offset); square <= radiusM * radiusM)
                         squares.push_back(square);
                     return squares.size() < kMostLookedAt;
                 });

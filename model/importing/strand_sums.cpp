@@ -43,14 +43,14 @@ public:
         float weight;
     };
     /// Valid until the next call.
-    [[nodiscard]] std::span<const Weighed> at(const SkinWay& way, float reachM)
+    [[nodiscard]] std::span<const Weighed> at(const SkinDirection& here, float reachM)
     {
         m_found.clear();
         const float furthest2 = kReaches * kReaches * reachM * reachM;
-        m_texels.grid->near(way.placeHd, kReaches * reachM, [&](std::uint32_t index) {
-            const glm::vec3 aside = m_texels.placeHd[index] - way.placeHd;
+        m_texels.grid->near(here.positionHd, kReaches * reachM, [&](std::uint32_t index) {
+            const glm::vec3 aside = m_texels.positionsHd[index] - here.positionHd;
             const float square = glm::dot(aside, aside);
-            if (square < furthest2 && glm::dot(m_texels.frame[index].normal, way.normalHd) > kSameSide)
+            if (square < furthest2 && glm::dot(m_texels.frame[index].normal, here.normalHd) > kSameSide)
                 m_found.push_back({index, std::exp(-0.5F * square / (reachM * reachM))});
             return true;
         });
@@ -62,7 +62,7 @@ private:
     std::vector<Weighed> m_found;
 };
 
-void addStrand(const PlacedStrand& strand, std::span<const TexelsAround::Weighed> around, const SkinTexels& texels,
+void addStrand(const HeadStrand& strand, std::span<const TexelsAround::Weighed> around, const SkinTexels& texels,
                StrandSums& sums)
 {
     float area = 0.0F;
@@ -89,45 +89,45 @@ void addStrand(const PlacedStrand& strand, std::span<const TexelsAround::Weighed
 
 } // namespace
 
-void WaySum::add(const SkinWay& way, float wayWeight)
+void DirectionSum::add(const SkinDirection& here, float added)
 {
-    const glm::vec3 alongHd = way.wayHd - way.normalHd * glm::dot(way.wayHd, way.normalHd);
-    weight += wayWeight;
-    flatness += wayWeight * glm::length(alongHd);
-    meanHd += wayWeight * alongHd;
-    if (wayWeight > nearestWeight) {
-        nearestWeight = wayWeight;
+    const glm::vec3 alongHd = here.directionHd - here.normalHd * glm::dot(here.directionHd, here.normalHd);
+    weight += added;
+    flatness += added * glm::length(alongHd);
+    meanHd += added * alongHd;
+    if (added > nearestWeight) {
+        nearestWeight = added;
         nearestHd = alongHd;
     }
 }
 
-glm::vec2 WaySum::in(const sim::SkinFrame& frame) const
+glm::vec2 DirectionSum::in(const sim::SkinFrame& frame) const
 {
     const float flat = flatness / weight;
     return sim::shortened(
         sim::turned(frame.fromHd(meanHd / weight), flat, frame.fromHd(nearestHd), sim::kPartedDirections));
 }
 
-std::optional<StrandSums> summed(const PlacedStrands& placed, const SkinTexels& texels, const Progress& progress)
+std::optional<StrandSums> summed(const HeadStrands& onHead, const SkinTexels& texels, const Progress& progress)
 {
-    const std::vector<float> spacings = strandSpacingsM(placed.strands);
-    StrandSums sums{std::vector<TexelSum>(texels.count()), std::vector<WaySum>(texels.count()),
-                    std::vector<WaySum>(texels.count())};
+    const std::vector<float> spacings = strandSpacingsM(onHead.strands);
+    StrandSums sums{std::vector<TexelSum>(texels.count()), std::vector<DirectionSum>(texels.count()),
+                    std::vector<DirectionSum>(texels.count())};
     TexelsAround around(texels);
-    for (std::size_t i = 0; i < placed.strands.size(); ++i) {
+    for (std::size_t i = 0; i < onHead.strands.size(); ++i) {
         if (i % kStrandsBetween == 0 && progress &&
-            !progress(static_cast<double>(i) / static_cast<double>(placed.strands.size())))
+            !progress(static_cast<double>(i) / static_cast<double>(onHead.strands.size())))
             return std::nullopt;
         // Where texels are large, as far as the nearest.
         float reachM = std::max(kReachOfSpacing * spacings[i], kReachOfTexel * texels.sideM);
         std::span<const TexelsAround::Weighed> found;
         for (int tries = 0; tries < 4 && found.empty(); ++tries, reachM *= 2.0F)
-            found = around.at(placed.strands[i].root, reachM);
-        addStrand(placed.strands[i], found, texels, sums);
+            found = around.at(onHead.strands[i].root, reachM);
+        addStrand(onHead.strands[i], found, texels, sums);
     }
-    for (const SkinWay& way : placed.further)
-        for (const auto& [index, weight] : around.at(way, kFurtherReachM))
-            sums.further[index].add(way, weight);
+    for (const SkinDirection& here : onHead.further)
+        for (const auto& [index, weight] : around.at(here, kFurtherReachM))
+            sums.further[index].add(here, weight);
     return sums;
 }
 

@@ -1,7 +1,7 @@
 // What strands on a head sum up to at each texel of its skin.
 #pragma once
 
-#include "model/importing/placed_strands.h"
+#include "model/importing/head_strands.h"
 #include "model/importing/skin_texels.h"
 #include "sim/groom/groom.h"
 
@@ -26,7 +26,7 @@ struct TexelSum
 };
 
 /// How hair runs there: the mean of directions in the skin, of their lengths, and the nearest one.
-struct WaySum
+struct DirectionSum
 {
     float weight = 0.0F;
     float flatness = 0.0F;
@@ -34,7 +34,7 @@ struct WaySum
     float nearestWeight = 0.0F;
     glm::vec3 nearestHd{0.0F};
 
-    void add(const SkinWay& way, float wayWeight);
+    void add(const SkinDirection& here, float added);
     /// In that frame; where two sides of a parting meet, that of the nearest strand.
     [[nodiscard]] glm::vec2 in(const sim::SkinFrame& frame) const;
 };
@@ -42,13 +42,13 @@ struct WaySum
 struct StrandSums
 {
     std::vector<TexelSum> strands; ///< By texel on the skin.
-    std::vector<WaySum> roots;
-    std::vector<WaySum> further;
+    std::vector<DirectionSum> roots;
+    std::vector<DirectionSum> further;
 };
 
 /// Strands weigh on the texels around them by how far apart they stand, so that between them is no hole, and density
 /// adds up to their number. None where `progress` cancels.
-[[nodiscard]] std::optional<StrandSums> summed(const PlacedStrands& placed, const SkinTexels& texels,
+[[nodiscard]] std::optional<StrandSums> summed(const HeadStrands& onHead, const SkinTexels& texels,
                                                const Progress& progress = {});
 
 } // namespace hairpaint::model

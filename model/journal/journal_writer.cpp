@@ -47,9 +47,9 @@ JournalWriter::JournalWriter(const QString& path, qint64 leastRewriteBytes)
     : JournalWriter(folderOf(QFileInfo(path).path()), QFileInfo(path).fileName(), {}, leastRewriteBytes)
 {}
 
-bool JournalWriter::isInPlace() const
+bool JournalWriter::isAtPath() const
 {
-    return m_folder && m_folder->isInPlace() && (!m_file || m_folder->isNamed(*m_file, m_name));
+    return m_folder && m_folder->isAtPath() && (!m_file || m_folder->isNamed(*m_file, m_name));
 }
 
 void JournalWriter::forget()
@@ -212,7 +212,7 @@ Checked<void> JournalWriter::writeAnew()
 void JournalWriter::keep(std::deque<JournalState>& states, const JournalState& state)
 {
     if (state.count == 0)
-        states.clear(); // Another project, or a history that was cleared: there is no way back.
+        states.clear(); // Another project, or a history that was cleared: nothing can be undone.
     states.push_back(state);
     while (states.size() > kKeptStates)
         states.pop_front();

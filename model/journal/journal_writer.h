@@ -48,7 +48,7 @@ public:
 
     [[nodiscard]] bool isClean() const { return m_clean; }
     /// Nobody has removed the file that it writes, or replaced it.
-    [[nodiscard]] bool isInPlace() const;
+    [[nodiscard]] bool isAtPath() const;
     [[nodiscard]] qint64 bytesInFile() const { return m_bytes; }
 
 private:

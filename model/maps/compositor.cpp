@@ -177,6 +177,30 @@ std::vector<int> allTilesOf(const MapStack& stack)
     return all;
 }
 
+/// Those that a layer has covered: elsewhere a map is what it starts from.
+std::vector<int> coveredTilesOf(const MapStack& stack)
+{
+    const auto coverage = static_cast<std::size_t>(mapSpec(stack.kind).valueChannels);
+    std::vector<bool> isCovered(allTilesOf(stack).size());
+    for (const Layer& layer : stack.layers) {
+        if (!layer.visible)
+            continue;
+        const sim::RasterTile* blank = nullptr; // The one that many indices of an empty layer have.
+        for (std::size_t index = 0; index < isCovered.size(); ++index) {
+            const sim::RasterTile* tile = layer.raster.tile(static_cast<int>(index)).get();
+            if (tile == blank)
+                continue;
+            if (tile->isUniform() && tile->uniform[coverage] == 0)
+                blank = tile;
+            else
+                isCovered[index] = true;
+        }
+    }
+    std::vector<int> covered = allTilesOf(stack);
+    std::erase_if(covered, [&](int index) { return !isCovered[static_cast<std::size_t>(index)]; });
+    return covered;
+}
+
 /// How many tiles of layers there are at these indices that are not one value.
 std::size_t blendedAt(const MapStack& stack, std::span<const int> indices)
 {
@@ -211,12 +235,11 @@ sim::TiledRaster resolveStack(const MapStack& stack, const sim::MapRaster& start
 {
     const MapSpec& spec = mapSpec(stack.kind);
     sim::TiledRaster result(stack.size, spec.valueChannels, spec.defaultValue);
-    std::vector<sim::RasterTilePtr> tiles = tilesResolved(stack, start.get(), allTilesOf(stack));
-    for (int index = 0; index < result.tileCount(); ++index) {
-        sim::RasterTilePtr& tile = tiles[static_cast<std::size_t>(index)];
-        if (start != nullptr || !sameTexels(*tile, *result.tile(index)))
-            result.setTile(index, std::move(tile));
-    }
+    const std::vector<int> indices = start != nullptr ? allTilesOf(stack) : coveredTilesOf(stack);
+    std::vector<sim::RasterTilePtr> tiles = tilesResolved(stack, start.get(), indices);
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        if (start != nullptr || !sameTexels(*tiles[i], *result.tile(indices[i])))
+            result.setTile(indices[i], std::move(tiles[i]));
     return result;
 }
 

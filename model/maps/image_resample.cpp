@@ -33,8 +33,8 @@ std::vector<Taps> makeTaps(int source, int target)
         for (int at = first; at <= last; ++at)
             sum += radius - std::abs(at - centre);
         for (int at = first; at <= last; ++at) {
-            const auto place = static_cast<std::size_t>(std::clamp(at, 0, source - 1) - taps.first);
-            taps.weights[place] += static_cast<float>((radius - std::abs(at - centre)) / sum);
+            const auto index = static_cast<std::size_t>(std::clamp(at, 0, source - 1) - taps.first);
+            taps.weights[index] += static_cast<float>((radius - std::abs(at - centre)) / sum);
         }
     }
     return all;

@@ -44,7 +44,8 @@ struct TexelOps
     /// The same as [count] greys that fromGreys reads as the same values; null where a grey can't tell them.
     void (*toGreys)(const MapSpec& spec, const std::uint16_t* values, std::size_t step, std::size_t count,
                     std::uint16_t* greys);
-    /// In place: red, green, blue, alpha as a layer's texels, by the map's colours or by grey as the value.
+    /// Converts in the same buffer: red, green, blue, alpha as a layer's texels, by the map's colours or by grey as the
+    /// value.
     void (*fromColours)(const MapSpec& spec, std::span<sim::Texel> texels);
     void (*fromGreys)(const MapSpec& spec, std::span<sim::Texel> texels);
 

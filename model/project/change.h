@@ -28,7 +28,7 @@ struct Change
         Texels,      ///< group, map, layer, tiles
         Resolved,    ///< group, map: what its layers give together has come; an earlier change told why
         LayerList,   ///< group, map: layers added, removed, moved, renamed, or their properties; the map's size
-        GroupList,   ///< groups added, removed, renamed, reordered, shown
+        GroupList,   ///< groups added, removed, renamed, reordered, shown; what is worn in their hair
         Settings,    ///< group: its settings
         Environment, ///< wind, light, background, skin, what is worn
         Head,

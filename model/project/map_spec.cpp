@@ -29,6 +29,17 @@ constexpr std::array kBraidPalette{
     PaletteEntry{"loc", QT_TRANSLATE_NOOP("MapSpec", "Loc"), 0xFF00C080},
 };
 
+/// Kinds of worn things, by their ids: model/project/worn.h.
+constexpr std::array kAccessoryPalette{
+    PaletteEntry{"none", QT_TRANSLATE_NOOP("MapSpec", "None"), 0xFFFFFFFF},
+    PaletteEntry{"ponytail", QT_TRANSLATE_NOOP("MapSpec", "Ponytail"), 0xFFE6194B},
+    PaletteEntry{"bun", QT_TRANSLATE_NOOP("MapSpec", "Bun"), 0xFFF58231},
+    PaletteEntry{"headband", QT_TRANSLATE_NOOP("MapSpec", "Headband"), 0xFF4363D8},
+    PaletteEntry{"bow", QT_TRANSLATE_NOOP("MapSpec", "Ribbon bow"), 0xFFF032E6},
+    PaletteEntry{"hairpin", QT_TRANSLATE_NOOP("MapSpec", "Hairpin"), 0xFF3CB44B},
+    PaletteEntry{"ball", QT_TRANSLATE_NOOP("MapSpec", "Bead"), 0xFF46F0F0},
+};
+
 std::array<MapSpec, kMapKindCount> makeTable()
 {
     std::array rows{
@@ -134,6 +145,14 @@ std::array<MapSpec, kMapKindCount> makeTable()
                 .scale = &kPercentScale,
                 .scaleColour = 0xFFFF0080, // Rose.
                 .blendModes = kBlendable},
+        MapSpec{.kind = MapKind::Accessory,
+                .id = "accessory",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Accessories"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "A"),
+                .texel = TexelKind::Index,
+                .scaleColour = 0xFFE6194B,
+                .palette = kAccessoryPalette,
+                .blendModes = kReplacing},
     };
     for (MapSpec& spec : rows) {
         spec.valueChannels = sim::ruleOf(spec.kind).channels;
@@ -246,16 +265,18 @@ float colourToScale(const MapSpec& spec, float red, float green, float blue)
     return std::max(value, 0.0F);
 }
 
-/// Plait is a magenta of 1/2 or more. The others are the nearest palette colour, where "none" is the whole grey axis.
+/// A braid's plait is a magenta of 1/2 or more. The others are the nearest palette colour, where "none" is the whole
+/// grey axis.
 std::uint16_t colourToIndex(const MapSpec& spec, float red, float green, float blue)
 {
-    if (std::min(red, blue) - green >= 0.5F)
+    const bool isBraid = spec.kind == MapKind::Braid;
+    if (isBraid && std::min(red, blue) - green >= 0.5F)
         return kPlait;
     const std::array<float, 3> read{red, green, blue};
     const float grey = (red + green + blue) / 3.0F;
     float nearest = squaredDistance(read, {grey, grey, grey});
     std::uint16_t index = 0;
-    for (std::size_t i = kPlait + 1; i < spec.palette.size(); ++i) {
+    for (std::size_t i = isBraid ? kPlait + 1 : 1; i < spec.palette.size(); ++i) {
         const float distance = squaredDistance(read, channelsOf(spec.palette[i].colour));
         if (distance < nearest) {
             nearest = distance;

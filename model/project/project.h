@@ -121,7 +121,7 @@ struct Project
     [[nodiscard]] Layer* layer(Id groupId, MapKind kind, Id layerId);
     [[nodiscard]] const Worn* wornThing(Id id) const;
     [[nodiscard]] Worn* wornThing(Id id);
-    /// The shapes that a head brings, in place of those that are there; nothing differs where they are the same.
+    /// The shapes that a head brings, instead of those that are there; nothing differs where they are the same.
     void setShapesOfHead(std::span<const sim::Ellipsoid> shapes);
     [[nodiscard]] Id takeId() { return nextId++; }
 };

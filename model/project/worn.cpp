@@ -1,108 +1,17 @@
-// The kinds of what is worn.
+// Worn things: made, placed, and as other floors know them.
 #include "model/project/worn.h"
+
+#include "model/project/worn_kinds.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
 
 namespace hairpaint::model {
 
 namespace {
-
-/// An octahedron whose faces are divided and blown up: square roots alone, so that pictures are the same everywhere.
-std::shared_ptr<const sim::HeadMesh> madeBall()
-{
-    constexpr int kSteps = 16; // Along an edge of the octahedron.
-    auto mesh = std::make_shared<sim::HeadMesh>();
-    for (unsigned octant = 0; octant < 8; ++octant) {
-        const glm::vec3 side((octant & 1U) != 0 ? -1 : 1, (octant & 2U) != 0 ? -1 : 1, (octant & 4U) != 0 ? -1 : 1);
-        const bool isMirrored = side.x * side.y * side.z < 0.0F;
-        const auto first = static_cast<int>(mesh->positionsHd.size());
-        for (int row = 0; row <= kSteps; ++row)
-            for (int i = 0; i <= kSteps - row; ++i) {
-                const glm::vec3 flat = side * glm::vec3(kSteps - row - i, i, row);
-                mesh->positionsHd.push_back(flat / std::sqrt(glm::dot(flat, flat)));
-                mesh->uvs.push_back(glm::vec2(i, row) / static_cast<float>(kSteps));
-            }
-        const auto add = [&](glm::ivec2 a, glm::ivec2 b, glm::ivec2 c) {
-            const auto at = [first](glm::ivec2 corner) { // Row and number in it.
-                const int row = corner.x;
-                return static_cast<unsigned>(first + row * (kSteps + 1) - row * (row - 1) / 2 + corner.y);
-            };
-            mesh->triangles.emplace_back(at(a), at(isMirrored ? c : b), at(isMirrored ? b : c));
-        };
-        for (int row = 0; row < kSteps; ++row)
-            for (int i = 0; i < kSteps - row; ++i) {
-                add({row, i}, {row, i + 1}, {row + 1, i});
-                if (i + 1 < kSteps - row)
-                    add({row, i + 1}, {row + 1, i + 1}, {row + 1, i});
-            }
-    }
-    mesh->normalsHd = mesh->positionsHd;
-    return mesh;
-}
-
-std::shared_ptr<const sim::HeadMesh> unitBall()
-{
-    static const std::shared_ptr<const sim::HeadMesh> ball = madeBall();
-    return ball;
-}
-
-constexpr std::array kWornSpecs = {
-    WornSpec{.kind = WornKind::Ellipsoid,
-             .id = "ellipsoid",
-             .ownArray = "ellipsoids",
-             .title = QT_TRANSLATE_NOOP("Worn", "Collider"),
-             .action = "Collider",
-             .addTitle = QT_TRANSLATE_NOOP("Worn", "Add &collider here"),
-             .addHint =
-                 QT_TRANSLATE_NOOP("Worn", "An ellipsoid where the pointer was last on the head, which hair does "
-                                           "not enter; %1 at most"),
-             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Remove c&ollider"),
-             .addStep = QT_TRANSLATE_NOOP("Worn", "Add collider"),
-             .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove collider"),
-             .moveStep = QT_TRANSLATE_NOOP("Worn", "Move collider"),
-             .sizeStep = QT_TRANSLATE_NOOP("Worn", "Size collider"),
-             .lookStep = nullptr,
-             .limit = 32,
-             .radiusM = 0.03F,
-             .liftRadii = -0.5F, // Half in the head.
-             .colour = 0,
-             .sheen = 0.0F,
-             .leastRadiusM = 0.005F,
-             .greatestRadiusM = 0.5F,
-             .handles = WornHandles::Axes,
-             .ofHead = true,
-             .collides = true,
-             .mesh = nullptr},
-    WornSpec{.kind = WornKind::Ball,
-             .id = "ball",
-             .ownArray = nullptr,
-             .title = QT_TRANSLATE_NOOP("Worn", "Ball"),
-             .action = "Ball",
-             .addTitle = QT_TRANSLATE_NOOP("Worn", "Pu&t a ball here"),
-             .addHint = QT_TRANSLATE_NOOP("Worn", "A bead where the pointer was last on the head, which hair does not "
-                                                  "enter; %1 at most"),
-             .removeTitle = QT_TRANSLATE_NOOP("Worn", "Take the ball o&ff"),
-             .addStep = QT_TRANSLATE_NOOP("Worn", "Add ball"),
-             .removeStep = QT_TRANSLATE_NOOP("Worn", "Remove ball"),
-             .moveStep = QT_TRANSLATE_NOOP("Worn", "Move ball"),
-             .sizeStep = QT_TRANSLATE_NOOP("Worn", "Size ball"),
-             .lookStep = QT_TRANSLATE_NOOP("Worn", "Change look of ball"),
-             .limit = 32,
-             .radiusM = 0.01F,
-             .liftRadii = 1.0F, // Touches the skin.
-             .colour = 0xFFC8402E,
-             .sheen = 1.0F,
-             .leastRadiusM = 0.002F,
-             .greatestRadiusM = 0.1F,
-             .handles = WornHandles::Radius,
-             .ofHead = false,
-             .collides = true,
-             .mesh = unitBall},
-};
 
 template<typename Wanted>
 std::vector<sim::Ellipsoid> shapesWhere(const std::vector<Worn>& all, const Wanted& wanted)
@@ -114,23 +23,47 @@ std::vector<sim::Ellipsoid> shapesWhere(const std::vector<Worn>& all, const Want
     return shapes;
 }
 
+/// z along the normal, y as upright as can be.
+glm::quat standing(glm::vec3 normalHd)
+{
+    constexpr float kUpright = 0.95F; // There y points back, where the head's y would have no length.
+    const glm::vec3 up = std::abs(normalHd.y) < kUpright ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, -1);
+    const glm::vec3 x = glm::normalize(glm::cross(up, normalHd));
+    return glm::normalize(glm::quat_cast(glm::mat3(x, glm::cross(normalHd, x), normalHd)));
+}
+
+/// Where gathered hair leaves: away from the skin, and a little down.
+glm::vec3 leaving(glm::vec3 normalHd)
+{
+    return glm::normalize(normalHd + glm::vec3(0.0F, -0.15F, 0.0F));
+}
+
 } // namespace
 
 std::span<const WornSpec> wornSpecs()
 {
-    return kWornSpecs;
+    return tableOfWornKinds();
 }
 
 const WornSpec& wornSpec(WornKind kind)
 {
-    return kWornSpecs.at(static_cast<std::size_t>(kind));
+    return wornSpecs()[static_cast<std::size_t>(kind)];
 }
 
 const WornSpec* findWornSpec(const QString& id)
 {
+    const std::span<const WornSpec> specs = wornSpecs();
     const auto found =
-        std::ranges::find_if(kWornSpecs, [&id](const WornSpec& spec) { return id == QLatin1StringView(spec.id); });
-    return found != kWornSpecs.end() ? &*found : nullptr;
+        std::ranges::find_if(specs, [&id](const WornSpec& spec) { return id == QLatin1StringView(spec.id); });
+    return found != specs.end() ? &*found : nullptr;
+}
+
+const WornSpec* wornOfPalette(int index)
+{
+    const std::span<const PaletteEntry> palette = mapSpec(MapKind::Accessory).palette;
+    return index > 0 && static_cast<std::size_t>(index) < palette.size()
+               ? findWornSpec(QLatin1StringView(palette[static_cast<std::size_t>(index)].id))
+               : nullptr;
 }
 
 QString wornText(const char* text)
@@ -138,19 +71,88 @@ QString wornText(const char* text)
     return QCoreApplication::translate("Worn", text);
 }
 
+std::shared_ptr<const sim::HeadMesh> wornMesh(const Worn& worn, const sim::Skin* skin)
+{
+    const WornSpec& spec = wornSpec(worn.kind);
+    if (spec.fitted != nullptr && skin != nullptr)
+        return spec.fitted(worn.shape, *skin);
+    if (!spec.makes.empty())
+        return spec.makes[std::min<std::size_t>(worn.make, spec.makes.size() - 1)].mesh();
+    return spec.drawn() ? spec.mesh() : nullptr;
+}
+
+std::optional<sim::Tie> tieOf(const Worn& worn)
+{
+    const WornSpec& spec = wornSpec(worn.kind);
+    if (!spec.tie || !worn.patch)
+        return std::nullopt;
+    return sim::Tie{.number = worn.patch->number,
+                    .pointHd = worn.shape.centreHd,
+                    .directionHd = glm::normalize(worn.shape.rotation) * glm::vec3(0.0F, 0.0F, 1.0F),
+                    .radiusM = spec.tieHole * worn.shape.semiAxesM.x,
+                    .tightness = worn.tightness,
+                    .form = *spec.tie,
+                    .bunRadiusM = worn.coilRadiusM};
+}
+
+WornAnchor anchorAt(const sim::SurfacePoint& point)
+{
+    // Just outside of its face by rounding, it would come back from a file as another.
+    return {.face = point.face, .barycentric = glm::clamp(point.barycentric, 0.0F, 1.0F)};
+}
+
 Worn makeWorn(const WornSpec& spec, const sim::SurfacePoint& point, Id group)
 {
     Worn worn{.id = 0,
               .kind = spec.kind,
-              .shape = {.centreHd = point.positionHd + spec.liftRadii * spec.radiusM * point.normalHd,
-                        .semiAxesM = glm::vec3(spec.radiusM)},
+              .shape = {.semiAxesM = spec.radiusM * spec.proportions},
               .colour = spec.colour,
-              .sheen = spec.sheen};
-    if (!spec.ofHead) {
+              .sheen = spec.sheen,
+              .tightness = spec.tie ? 1.0F : 0.0F,
+              .coilRadiusM = spec.coilRadiusM};
+    if (!spec.ofHead)
         worn.group = group;
-        worn.anchor = WornAnchor{.face = point.face, .barycentric = point.barycentric};
-    }
+    standOn(worn, point);
     return worn;
+}
+
+void standOn(Worn& worn, const sim::SurfacePoint& point)
+{
+    const WornSpec& spec = wornSpec(worn.kind);
+    const float liftM = spec.liftRadii * worn.shape.semiAxesM.x / spec.proportions.x;
+    worn.shape.centreHd = point.positionHd + liftM * point.normalHd;
+    if (spec.stands)
+        worn.shape.rotation = standing(spec.tie ? leaving(point.normalHd) : point.normalHd);
+    if (!spec.ofHead)
+        worn.anchor = anchorAt(point);
+}
+
+sim::SurfacePoint anchorPoint(const Worn& worn, const sim::Skin& skin)
+{
+    constexpr float kNone = 1e-3F;
+    if (worn.anchor && worn.anchor->face < skin.mesh().triangles.size()) {
+        const glm::vec3& weights = worn.anchor->barycentric;
+        const float sum = weights.x + weights.y + weights.z;
+        if (sum > kNone)
+            return skin.at(worn.anchor->face, weights / sum);
+    }
+    return skin.nearest(worn.shape.centreHd);
+}
+
+void carryTo(Worn& worn, const sim::SurfacePoint& from, const sim::SurfacePoint& to)
+{
+    const glm::quat turn = standing(to.normalHd) * glm::conjugate(standing(from.normalHd));
+    worn.shape.centreHd = to.positionHd + turn * (worn.shape.centreHd - from.positionHd);
+    worn.shape.rotation = glm::normalize(turn * worn.shape.rotation);
+    worn.anchor = anchorAt(to);
+    if (worn.patch)
+        worn.patch->placedByHand = true;
+}
+
+void holdSize(Worn& worn)
+{
+    if (worn.patch && !wornSpec(worn.kind).tie)
+        worn.patch->placedByHand = true;
 }
 
 void anchorWorn(Worn& worn, const sim::Skin* skin)
@@ -159,7 +161,7 @@ void anchorWorn(Worn& worn, const sim::Skin* skin)
     if (skin == nullptr || wornSpec(worn.kind).ofHead)
         return;
     const sim::SurfacePoint point = skin->nearest(worn.shape.centreHd);
-    worn.anchor = WornAnchor{.face = point.face, .barycentric = point.barycentric};
+    worn.anchor = anchorAt(point);
 }
 
 void insertWorn(std::vector<Worn>& all, const Worn& one)
@@ -175,6 +177,17 @@ std::size_t countOf(const std::vector<Worn>& all, WornKind kind)
 std::vector<sim::Ellipsoid> contactShapes(const std::vector<Worn>& all)
 {
     return shapesWhere(all, [](const WornSpec& spec) { return spec.collides; });
+}
+
+std::vector<sim::Tie> tiesIn(const std::vector<Worn>& all, Id group)
+{
+    std::vector<sim::Tie> ties;
+    for (const Worn& one : all)
+        if (one.group == group)
+            if (const std::optional<sim::Tie> tie = tieOf(one))
+                ties.push_back(*tie);
+    std::ranges::sort(ties, {}, &sim::Tie::number);
+    return ties;
 }
 
 std::vector<sim::Ellipsoid> shapesOfHead(const std::vector<Worn>& all)

@@ -47,24 +47,24 @@ QJsonValue withIds(const QJsonValue& value, const Keeps& keeps)
 }
 
 /// A position in the text before which all is whole, and the brackets that are open there.
-struct SafePlace
+struct CutPoint
 {
     qsizetype at = 0;
     QByteArray closing; ///< The last one first.
 };
 
 /// The last such positions before `end`, the latest first.
-std::vector<SafePlace> safePlaces(const QByteArray& json, qsizetype end)
+std::vector<CutPoint> cutPoints(const QByteArray& json, qsizetype end)
 {
     constexpr std::size_t kMost = 64;
-    std::vector<SafePlace> places;
+    std::vector<CutPoint> points;
     QByteArray open;
     const auto note = [&](qsizetype at) {
         QByteArray closing = open;
         std::ranges::reverse(closing);
-        if (places.size() == 2 * kMost)
-            places.erase(places.begin(), places.begin() + kMost);
-        places.push_back({.at = at, .closing = std::move(closing)});
+        if (points.size() == 2 * kMost)
+            points.erase(points.begin(), points.begin() + kMost);
+        points.push_back({.at = at, .closing = std::move(closing)});
     };
     visitJsonStructure(QByteArrayView(json).first(std::min(end, json.size())), [&](qsizetype at, char c) {
         if (c == '{' || c == '[')
@@ -74,8 +74,8 @@ std::vector<SafePlace> safePlaces(const QByteArray& json, qsizetype end)
         note(c == ',' ? at : at + 1);
         return true;
     });
-    std::ranges::reverse(places);
-    return places;
+    std::ranges::reverse(points);
+    return points;
 }
 
 QJsonValue valueAt(const QJsonObject& object, const char* key)
@@ -308,8 +308,8 @@ CutJson jsonAsFarAsItGoes(const QByteArray& json)
     const QJsonDocument whole = QJsonDocument::fromJson(json, &problem);
     if (problem.error == QJsonParseError::NoError)
         return {.root = whole.object(), .isWhole = whole.isObject()};
-    for (const SafePlace& place : safePlaces(json, problem.offset)) {
-        const QJsonDocument cut = QJsonDocument::fromJson(json.first(place.at) + place.closing, &problem);
+    for (const CutPoint& point : cutPoints(json, problem.offset)) {
+        const QJsonDocument cut = QJsonDocument::fromJson(json.first(point.at) + point.closing, &problem);
         if (problem.error == QJsonParseError::NoError && cut.isObject())
             return {.root = cut.object()};
     }

@@ -102,6 +102,14 @@ Preset presetFrom(const Project& project, const QString& name)
         }
         preset.groups.push_back(std::move(flat));
     }
+    for (std::size_t i = 0; i < project.groups.size(); ++i)
+        for (Worn one : project.worn) {
+            if (one.group != project.groups[i].id)
+                continue;
+            one.group = preset.groups[i].id;
+            one.id = nextId++;
+            insertWorn(preset.worn, one);
+        }
     return preset;
 }
 

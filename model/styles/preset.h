@@ -15,6 +15,7 @@ struct Preset
     QStringList tags;
     QString folder;                ///< "" for built-in ones; the user's own carry the file's path.
     std::vector<HairGroup> groups; ///< Ids are local to the preset.
+    std::vector<Worn> worn;        ///< In the hair of these groups.
     /// On whose layout the maps lie; null where it is not known. Applied to a project on another head, the style is
     /// carried there (style_transfer.h).
     std::shared_ptr<const Head> head;

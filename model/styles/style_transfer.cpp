@@ -3,6 +3,7 @@
 
 #include "model/project/group_schema.h"
 #include "model/styles/uv_correspondence.h"
+#include "model/styles/worn_transfer.h"
 #include "sim/base/parallel.h"
 #include "sim/groom/direction_texel.h"
 
@@ -209,6 +210,7 @@ std::optional<Preset> carriedPreset(Preset preset, const std::shared_ptr<const H
     if (!groups)
         return std::nullopt;
     preset.groups = std::move(*groups);
+    preset.worn = carriedWorn(std::move(preset.worn), preset.head, to);
     preset.head = to;
     return preset;
 }

@@ -5,6 +5,7 @@
 #include "model/project/group_schema.h"
 #include "model/styles/hair_kinds.h"
 #include "model/styles/style_transfer.h"
+#include "model/styles/worn_transfer.h"
 #include "model/values/names.h"
 
 #include <QCoreApplication>
@@ -181,9 +182,41 @@ std::vector<Id> groupsContested(const Project& project, const Preset& preset)
     return contested;
 }
 
+namespace {
+
+std::uint16_t unusedPatch(const std::vector<Worn>& all)
+{
+    std::uint16_t number = 1;
+    while (std::ranges::any_of(all, [number](const Worn& one) { return one.patch && one.patch->number == number; }))
+        ++number;
+    return number;
+}
+
+/// What a style brings replaces what was worn in the group's hair; a style that brings nothing leaves it on.
+void wearWith(Project& project, const std::vector<Worn>& brought, Id styleGroup, Id group)
+{
+    const auto isOfStyle = [styleGroup](const Worn& one) { return one.group == styleGroup; };
+    if (std::ranges::none_of(brought, isOfStyle))
+        return;
+    std::erase_if(project.worn, [group](const Worn& one) { return one.group == group; });
+    for (Worn one : brought) {
+        if (!isOfStyle(one) || countOf(project.worn, one.kind) >= wornSpec(one.kind).limit)
+            continue;
+        one.group = group;
+        one.id = project.takeId();
+        if (one.patch)
+            one.patch->number = unusedPatch(project.worn);
+        insertWorn(project.worn, one);
+    }
+}
+
+} // namespace
+
 void applyPreset(Project& project, const Preset& preset, const StyleUse& use)
 {
     const std::optional<std::vector<HairGroup>> styles = carriedGroups(preset.groups, preset.head, project.head);
+    const std::vector<Worn> worn =
+        canCarry(preset.head, project.head) ? carriedWorn(preset.worn, preset.head, project.head) : preset.worn;
     for (const Counterpart& one : counterparts(project, preset)) {
         const HairGroup& style = (*styles)[one.style];
         if (one.own && std::ranges::find(use.kept, project.groups[*one.own].id) != use.kept.end())
@@ -196,6 +229,7 @@ void applyPreset(Project& project, const Preset& preset, const StyleUse& use)
         HairGroup group;
         group.id = one.own ? project.groups[*one.own].id : project.takeId();
         putOnWhole(project, style, group, preset.name);
+        wearWith(project, worn, style.id, group.id);
         if (one.own)
             project.groups[*one.own] = std::move(group);
         else

@@ -11,18 +11,6 @@ namespace hairpaint::model {
 
 namespace {
 
-sim::SurfacePoint anchorPoint(const Worn& worn, const sim::Skin& skin)
-{
-    constexpr float kNone = 1e-3F;
-    if (worn.anchor && worn.anchor->face < skin.mesh().triangles.size()) {
-        const glm::vec3& weights = worn.anchor->barycentric;
-        const float sum = weights.x + weights.y + weights.z;
-        if (sum > kNone)
-            return skin.at(worn.anchor->face, weights / sum);
-    }
-    return skin.nearest(worn.shape.centreHd);
-}
-
 /// Columns: a direction of the skin, across it, outward.
 glm::mat3 frameAlong(glm::vec3 directionHd, glm::vec3 normalHd)
 {
@@ -58,7 +46,12 @@ std::vector<Worn> carriedWorn(std::vector<Worn> worn, const std::shared_ptr<cons
         const glm::mat3 turn = carried * glm::transpose(frame);
         one.shape.centreHd = after.positionHd + turn * (one.shape.centreHd - before.positionHd);
         one.shape.rotation = glm::normalize(glm::quat_cast(turn) * one.shape.rotation);
-        one.anchor = WornAnchor{.face = after.face, .barycentric = after.barycentric};
+        one.anchor = anchorAt(after);
+        if (one.patch) {
+            const Worn marked{.anchor = one.patch->at};
+            const sim::SurfacePoint inPatch = to->skin->nearest(warp(anchorPoint(marked, *from->skin).positionHd));
+            one.patch->at = anchorAt(inPatch);
+        }
     }
     return worn;
 }

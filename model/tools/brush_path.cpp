@@ -30,7 +30,7 @@ void BrushPath::start(const ToolEvent& event)
     m_carriedM = 0.0F;
 }
 
-/// On the 3D head, a way in uv much longer than on the skin has crossed a seam or to another island.
+/// On the 3D head, a step in uv much longer than on the skin has crossed a seam or to another island.
 bool BrushPath::jumpsInUv(const ToolEvent& event) const
 {
     if (event.area != Area::Head || !m_cursor->onSkin || m_skin == nullptr)

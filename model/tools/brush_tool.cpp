@@ -1,4 +1,4 @@
-// The brush and the eraser: a disc on the skin, dabbed along the pointer's way.
+// The brush and the eraser: a disc on the skin, dabbed along the pointer's path.
 #include "model/maps/compositor.h"
 #include "model/tools/brush_path.h"
 #include "model/tools/live_edit.h"

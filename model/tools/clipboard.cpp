@@ -130,11 +130,11 @@ ImageReading readingOf(const QImage& image, const MapSpec& spec)
     return readingOf(samples, 4, spec);
 }
 
-Clip clipFromImage(const QImage& image, MapKind map, bool grey, int size, const QRectF& place)
+Clip clipFromImage(const QImage& image, MapKind map, bool grey, int size, const QRectF& area)
 {
     Clip clip{.map = map, .uvRect = {}, .texels = {}};
     const MapSpec& spec = mapSpec(map);
-    const QSize room(std::max(1, qRound(place.width() * size)), std::max(1, qRound(place.height() * size)));
+    const QSize room(std::max(1, qRound(area.width() * size)), std::max(1, qRound(area.height() * size)));
     const QImage fitted = image.convertToFormat(QImage::Format_RGBA64)
                               .scaled(room, Qt::KeepAspectRatio,
                                       texelOps(spec).continuous ? Qt::SmoothTransformation : Qt::FastTransformation)
@@ -144,7 +144,7 @@ Clip clipFromImage(const QImage& image, MapKind map, bool grey, int size, const 
     clip.width = fitted.width();
     clip.height = fitted.height();
     const QSizeF extent(static_cast<double>(clip.width) / size, static_cast<double>(clip.height) / size);
-    clip.uvRect = QRectF(place.center() - QPointF(0.5 * extent.width(), 0.5 * extent.height()), extent);
+    clip.uvRect = QRectF(area.center() - QPointF(0.5 * extent.width(), 0.5 * extent.height()), extent);
     clip.texels.reserve(static_cast<std::size_t>(clip.width) * static_cast<std::size_t>(clip.height));
     for (int y = 0; y < clip.height; ++y) {
         const auto* const pixels = reinterpret_cast<const QRgba64*>(fitted.constScanLine(y));

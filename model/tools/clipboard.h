@@ -29,9 +29,9 @@ struct Clip
 [[nodiscard]] QImage imageFromClip(const Clip& clip);
 /// What an image of another program's can be to a map.
 [[nodiscard]] ImageReading readingOf(const QImage& image, const MapSpec& spec);
-/// Such an image as a clip for a map of `size` texels a side, fitted into `place` (uv) and read by the map's colours,
+/// Such an image as a clip for a map of `size` texels a side, fitted into `area` (uv) and read by the map's colours,
 /// or `grey` as the value.
-[[nodiscard]] Clip clipFromImage(const QImage& image, MapKind map, bool grey, int size, const QRectF& place);
+[[nodiscard]] Clip clipFromImage(const QImage& image, MapKind map, bool grey, int size, const QRectF& area);
 /// Makes the selected texels `texel`, coverage and all. "Fill Length". Null where the layer is hidden, locked or gone.
 [[nodiscard]] CommandPtr fillCommand(Document& document, const LayerAddress& address, const Selection& selection,
                                      const sim::Texel& texel, const QString& text);

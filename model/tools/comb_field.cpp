@@ -45,15 +45,15 @@ void CombField::add(const Dab& dab, const Direction& direction)
                 tile.assign(sim::kTileTexels, kUntouched);
             glm::vec3& texel = tile[static_cast<std::size_t>(y % kTile) * kTile + static_cast<std::size_t>(x % kTile)];
             const float length = glm::length(*laid);
-            const glm::vec2 way = length > 0.0F ? *laid / length : glm::vec2(0.0F);
+            const glm::vec2 direction = length > 0.0F ? *laid / length : glm::vec2(0.0F);
             if (texel.z < 0.0F) {
-                texel = {way, length};
+                texel = {direction, length};
                 continue;
             }
             const float part = kYield * (1.0F - q);
-            const glm::vec2 mixed = glm::vec2(texel) + (way - glm::vec2(texel)) * part;
+            const glm::vec2 mixed = glm::vec2(texel) + (direction - glm::vec2(texel)) * part;
             const float mixedLength = glm::length(mixed);
-            texel = {mixedLength > 1e-3F ? mixed / mixedLength : way, texel.z + (length - texel.z) * part};
+            texel = {mixedLength > 1e-3F ? mixed / mixedLength : direction, texel.z + (length - texel.z) * part};
         }
 }
 

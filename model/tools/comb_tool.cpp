@@ -1,14 +1,16 @@
-// The comb: lays hair along the pointer's way over the skin, lifts it, smooths it, ruffles it, lays a whorl, or holds
+// The comb: lays hair along the pointer's path over the skin, lifts it, smooths it, ruffles it, lays a whorl, or holds
 // it.
 #include "model/maps/compositor.h"
 #include "model/tools/brush_path.h"
 #include "model/tools/comb_field.h"
+#include "model/tools/evened_hair.h"
 #include "model/tools/fallen_hair.h"
 #include "model/tools/hold_stroke.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/picker_tool.h"
 #include "model/tools/root_dabs.h"
 #include "model/tools/skin_frames.h"
+#include "model/tools/stroke_heading.h"
 #include "model/tools/tool_list.h"
 #include "model/tools/whorl.h"
 #include "sim/groom/direction_texel.h"
@@ -64,10 +66,7 @@ constexpr std::array kCombOptions{&kCombKind,     &kSizeOption, &kHardnessOption
 
 constexpr float kCombSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
 constexpr float kCombLeastStepTx = 0.5F;
-constexpr float kSmoothing = 0.25F; ///< Of the diameter: the way over which the direction follows the pointer.
-constexpr float kLeastSmoothingM = 0.002F;
 constexpr float kJumpM = 0.03F;             ///< Points further apart than this, and than the dabs, are no motion.
-constexpr float kSmoothReach = 0.2F;        ///< Of the diameter: from where neighbours are taken.
 constexpr float kRuffleRad = 0.9F;          ///< Noise turns by at most this,
 constexpr float kRuffleLength = 0.25F;      ///< and changes the length by at most this.
 constexpr float kRuffleCells = 512.0F;      ///< Cells of noise along the layout's side.
@@ -150,15 +149,12 @@ private:
     void layWhorl(const Whorl& whorl, const ToolSettings& settings);
     void follow(const BrushSample& sample, const ToolContext& context);
     void combHair(const ToolEvent& event, const ToolContext& context);
-    /// Turns the stroke's direction towards a motion. False where it is none.
-    bool turnTowards(glm::vec3 motionHd, float sizeM);
     void dab(const BrushSample& sample, const ToolContext& context);
     void lay(const Dab& dab, glm::vec3 strokeHd, const sim::SkinFrame& centre, const ToolSettings& settings,
              float pressure);
     void setReach(const Dab& dab);
     [[nodiscard]] glm::vec2 along(glm::vec2 uv, glm::vec3 strokeHd, const sim::SkinFrame& centre);
     [[nodiscard]] glm::vec2 restyled(glm::vec2 uv, const ToolSettings& settings);
-    [[nodiscard]] glm::vec2 smoothed(glm::vec2 uv, glm::vec2 reachUv);
     [[nodiscard]] glm::vec2 uvOf(int x, int y) const;
     [[nodiscard]] sim::RasterTilePtr painted(int tile, const sim::RasterTilePtr& before);
     void drop();
@@ -175,7 +171,7 @@ private:
     std::optional<ToolEvent> m_last;       ///< Where the next straight line starts; kept between strokes.
     std::optional<BrushSample> m_previous; ///< The last point that lay on the skin.
     bool m_waits = false;                  ///< That point has no dab yet: its direction is not known.
-    std::optional<glm::vec3> m_strokeHd;   ///< Unit: where the pointer goes, smoothed.
+    StrokeHeading m_heading;               ///< Where the pointer goes.
     glm::vec2 m_reachUv{0.0F};             ///< Of the dab that is laid.
     std::uint16_t m_opacity = 65535;
 };
@@ -224,7 +220,7 @@ void CombTool::press(const ToolEvent& event, ToolContext& context)
     m_overHair.reset();
     m_opacity = unit16(context.settings.opacity);
     m_previous.reset();
-    m_strokeHd.reset();
+    m_heading.reset();
     m_waits = false;
     if (context.settings.comb == CombKind::Whorl)
         return stamp(event, context);
@@ -336,11 +332,11 @@ void CombTool::follow(const BrushSample& sample, const ToolContext& context)
     const float moved = glm::length(motionHd);
     if (!m_previous || moved > std::max(kJumpM, settings.brushSizeM)) {
         m_previous = sample;
-        m_strokeHd.reset();
+        m_heading.reset();
         m_waits = true;
         return;
     }
-    if (!turnTowards(motionHd, settings.brushSizeM))
+    if (!m_heading.turn(motionHd, settings.brushSizeM))
         return;
     if (std::exchange(m_waits, false))
         dab(*m_previous, context);
@@ -348,34 +344,21 @@ void CombTool::follow(const BrushSample& sample, const ToolContext& context)
     dab(sample, context);
 }
 
-bool CombTool::turnTowards(glm::vec3 motionHd, float sizeM)
-{
-    const float moved = glm::length(motionHd);
-    if (moved < 1e-6F)
-        return false;
-    const float smoothingM = std::max(kSmoothing * sizeM, kLeastSmoothingM);
-    const glm::vec3 now = motionHd / moved;
-    const glm::vec3 way = m_strokeHd ? *m_strokeHd + (now - *m_strokeHd) * (1.0F - std::exp(-moved / smoothingM)) : now;
-    const float length = glm::length(way);
-    m_strokeHd = length > 0.1F ? way / length : now; // Turned right back: no way in between.
-    return true;
-}
-
-/// Strands that the pointer passes lie along its way from their roots on.
+/// Strands that the pointer passes lie along its path from their roots on.
 void CombTool::combHair(const ToolEvent& event, const ToolContext& context)
 {
     const ToolSettings& settings = context.settings;
     const std::optional<OverHair> last = std::exchange(m_overHair, event.hair);
     if (settings.comb == CombKind::Lay) {
         if (!last) {
-            m_strokeHd.reset();
+            m_heading.reset();
             return m_roots->standAt(*event.hair);
         }
-        if (!turnTowards(event.hair->positionHd - last->positionHd, settings.brushSizeM))
+        if (!m_heading.turn(event.hair->positionHd - last->positionHd, settings.brushSizeM))
             return;
     }
     const RootDabs::Shape shape{.sizeM = settings.brushSizeM, .hardness = settings.hardness, .twinRoots = true};
-    const glm::vec3 strokeHd = m_strokeHd.value_or(glm::vec3(0.0F));
+    const glm::vec3 strokeHd = m_heading.orNone();
     for (const RootDab& one : m_roots->moveTo(*event.hair, context, shape, settings.comb != CombKind::Lay)) {
         setReach(dabAt(SkinMetric::at(one.root), one.root.uv, 0.5F * settings.brushSizeM, m_edit.size()));
         lay(one.dab, strokeHd, sim::SkinFrame::at(one.root), settings, event.pressure);
@@ -391,7 +374,7 @@ void CombTool::dab(const BrushSample& sample, const ToolContext& context)
     Dab dab = dabAt(sample.metric, sample.uv, 0.5F * settings.brushSizeM, size);
     dab.hardness = settings.hardness;
     setReach(dab);
-    const glm::vec3 strokeHd = m_strokeHd.value_or(glm::vec3(0.0F));
+    const glm::vec3 strokeHd = m_heading.orNone();
     lay(dab, strokeHd, sim::SkinFrame::at(*sample.point), settings, sample.pressure);
     if (!context.mirror)
         return;
@@ -420,7 +403,7 @@ void CombTool::lay(const Dab& dab, glm::vec3 strokeHd, const sim::SkinFrame& cen
 
 void CombTool::setReach(const Dab& dab)
 {
-    m_reachUv = glm::vec2(kSmoothReach) / (static_cast<float>(m_edit.size()) * glm::sqrt(glm::vec2(dab.a, dab.c)));
+    m_reachUv = eveningReachUv(dab, m_edit.size());
 }
 
 /// Unit, in the texel's frame. Off the skin, where hair never stands but values bleed in from, in the dab's.
@@ -428,11 +411,11 @@ glm::vec2 CombTool::along(glm::vec2 uv, glm::vec3 strokeHd, const sim::SkinFrame
 {
     constexpr float kSteep = 0.1F;
     const sim::SkinFrame frame = m_frames->at(uv).value_or(centre);
-    glm::vec2 way = frame.fromHd(strokeHd);
-    if (glm::length(way) < kSteep)
-        way = centre.fromHd(strokeHd);
-    const float length = glm::length(way);
-    return length > 0.0F ? way / length : glm::vec2(0.0F);
+    glm::vec2 direction = frame.fromHd(strokeHd);
+    if (glm::length(direction) < kSteep)
+        direction = centre.fromHd(strokeHd);
+    const float length = glm::length(direction);
+    return length > 0.0F ? direction / length : glm::vec2(0.0F);
 }
 
 /// What the modes that do not follow the pointer make of the hair that is there.
@@ -441,43 +424,16 @@ glm::vec2 CombTool::restyled(glm::vec2 uv, const ToolSettings& settings)
     const glm::vec2 was = m_before->at(uv);
     const float length = glm::length(was);
     if (settings.comb == CombKind::Smooth)
-        return smoothed(uv, m_reachUv);
+        return evenedDirection(*m_frames, *m_before, uv, m_reachUv);
     if (settings.comb == CombKind::Noise) {
         const glm::ivec2 cell(glm::floor(uv * kRuffleCells));
         const float stretched = std::clamp(length * (1.0F + kRuffleLength * noiseAt(cell.x, cell.y, 2)), 0.0F, 1.0F);
-        const glm::vec2 way = length > 0.0F ? was / length : glm::vec2(0.0F);
-        return turnedBy(way * stretched, kRuffleRad * noiseAt(cell.x, cell.y, 1));
+        const glm::vec2 direction = length > 0.0F ? was / length : glm::vec2(0.0F);
+        return turnedBy(direction * stretched, kRuffleRad * noiseAt(cell.x, cell.y, 1));
     }
     const float flat =
         settings.lift < 0.0F ? length + (1.0F - length) * -settings.lift : length * (1.0F - settings.lift);
-    return length > 1e-4F ? was * (flat / length) : was; // Upright hair has no way to lie.
-}
-
-glm::vec2 CombTool::smoothed(glm::vec2 uv, glm::vec2 reachUv)
-{
-    constexpr int kAround = 8;
-    constexpr float kTurn = 6.2831853F / kAround;
-    const std::optional<sim::SkinFrame> own = m_frames->at(uv);
-    const glm::vec2 was = m_before->at(uv);
-    if (!own)
-        return was;
-    glm::vec3 sum = own->toHd(was);
-    float lengths = glm::length(was);
-    float count = 1.0F;
-    for (int i = 0; i < kAround; ++i) {
-        const float angle = kTurn * static_cast<float>(i);
-        const glm::vec2 there = uv + reachUv * glm::vec2(std::cos(angle), std::sin(angle));
-        if (const std::optional<sim::SkinFrame> frame = m_frames->at(there)) {
-            const glm::vec2 beside = m_before->at(there);
-            sum += frame->toHd(beside);
-            lengths += glm::length(beside);
-            count += 1.0F;
-        }
-    }
-    // The mean way with the mean length: where hair turns, smoothing does not raise it.
-    const glm::vec2 mean = own->fromHd(sum) / count;
-    const float length = glm::length(mean);
-    return length > 1e-4F ? mean * (lengths / (count * length)) : mean;
+    return length > 1e-4F ? was * (flat / length) : was; // Upright hair has no direction along the skin.
 }
 
 sim::RasterTilePtr CombTool::painted(int tile, const sim::RasterTilePtr& before)

@@ -38,7 +38,7 @@ CutLengths::CutLengths(const sim::GroupFrame& hair, sim::MapRaster shown) : m_sh
     const auto tileCount = static_cast<std::size_t>(m_shown->tileCount());
     m_firstOfTile.assign(tileCount + 1, 0);
     for (std::size_t slot = 0; slot < roots.count(); ++slot)
-        if (hair.places(slot))
+        if (hair.isPositioned(slot))
             ++m_firstOfTile[tileOf(slot) + 1];
     std::partial_sum(m_firstOfTile.begin(), m_firstOfTile.end(), m_firstOfTile.begin());
     m_roots.resize(m_firstOfTile.back());
@@ -46,7 +46,7 @@ CutLengths::CutLengths(const sim::GroupFrame& hair, sim::MapRaster shown) : m_sh
     m_rootOfSlot.assign(roots.count(), kNone);
     std::vector<std::uint32_t> next(m_firstOfTile.begin(), m_firstOfTile.end() - 1);
     for (std::size_t slot = 0; slot < roots.count(); ++slot) {
-        if (!hair.places(slot))
+        if (!hair.isPositioned(slot))
             continue;
         const std::uint32_t root = next[tileOf(slot)]++;
         const glm::vec2 uv = roots.uv[slot];

@@ -19,7 +19,7 @@ struct StrandCut
     float kept = 1.0F; ///< 0..1: the fraction of its length, from the root, that stays.
 };
 
-/// Each texel belongs to the nearest root, of the hairs that are placed. Those of roots that are cut are shortened,
+/// Each texel belongs to the nearest root, of the hairs that are positioned. Those of roots that are cut are shortened,
 /// except the ones that the map is read from at a root that is not cut; then they are corrected until the map, read
 /// between its texels at each root that is cut, gives the length that it should. Where there are more roots than texels
 /// not all can be had: no hair stays longer than it is cut then, and some become shorter, also of those that are not
@@ -40,7 +40,7 @@ public:
     [[nodiscard]] const std::uint16_t* values(int tileIndex) const { return m_works[workOf(tileIndex)].values.data(); }
 
 private:
-    /// A placed hair's, by tile.
+    /// A positioned hair's, by tile.
     struct Root
     {
         std::uint32_t slot = 0;

@@ -46,13 +46,13 @@ std::optional<glm::vec2> FallenHair::fallenAt(glm::vec2 uv)
     const auto entry = [](float fraction) {
         return std::clamp(static_cast<int>(fraction * SkinFrames::kSize), 0, SkinFrames::kSize - 1);
     };
-    const std::optional<SkinPlace>& place = m_frames->place(entry(uv.x), entry(1.0F - uv.y));
-    if (!place)
+    const std::optional<FramedPoint>& point = m_frames->point(entry(uv.x), entry(1.0F - uv.y));
+    if (!point)
         return std::nullopt;
     const glm::vec2 told = toldAt(uv);
     const glm::vec2 natural = sim::directionAt(*m_natural, uv);
-    const glm::vec3 lies = sim::growthDirections(told, &natural, place->positionHd, place->frame).of(falls);
-    const glm::vec2 inFrame = place->frame.fromHd(lies);
+    const glm::vec3 lies = sim::growthDirections(told, &natural, point->positionHd, point->frame).of(falls);
+    const glm::vec2 inFrame = point->frame.fromHd(lies);
     return glm::length(inFrame - told) > kOtherwise ? std::optional(inFrame) : std::nullopt;
 }
 

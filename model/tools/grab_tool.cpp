@@ -1,8 +1,10 @@
 // Grab: hair that is taken hold of goes where the pointer goes.
 #include "model/maps/compositor.h"
+#include "model/tools/bent_hair.h"
 #include "model/tools/comb_field.h"
 #include "model/tools/dab_shape.h"
 #include "model/tools/fallen_hair.h"
+#include "model/tools/guide_strands.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/picker_tool.h"
 #include "model/tools/skin_frames.h"
@@ -19,24 +21,36 @@ namespace hairpaint::model {
 
 namespace {
 
+constexpr std::array kGrabKinds{
+    ToolChoice::Item{"grab-hair", QT_TRANSLATE_NOOP("ToolOptions", "Grab hair wherever it is seen")},
+    ToolChoice::Item{"grab-guides",
+                     QT_TRANSLATE_NOOP("ToolOptions", "Bend single hairs by their nodes; the hair around follows")},
+};
+constexpr ToolOption kGrabKind{
+    .key = "grab",
+    .kind =
+        ToolChoice{.entries = kGrabKinds,
+                   .read = [](const ToolSettings& settings) { return static_cast<int>(settings.grab); },
+                   .write = [](ToolSettings& settings, int index) { settings.grab = static_cast<GrabKind>(index); }}};
 constexpr ToolOption kGrabGel{
     .key = "grab_gel",
     .label = QT_TRANSLATE_NOOP("ToolOptions", "Gel at least"),
     .hint =
         QT_TRANSLATE_NOOP("ToolOptions", "The gel that keeps hair where it was pulled; long hair falls back without"),
     .kind = ToolNumber{.field = &ToolSettings::grabGel}};
-constexpr std::array kGrabOptions{&kSizeOption, &kHardnessOption, &kOpacityOption, &kGrabGel};
+constexpr std::array kGrabOptions{&kGrabKind, &kSizeOption, &kHardnessOption, &kOpacityOption, &kGrabGel};
 
 constexpr float kStillM = 0.001F;                  ///< A pointer that moved less has not moved.
-constexpr float kSameWay = 0.5F;                   ///< Cosine: hair that lies so goes along,
-constexpr float kOtherWay = 0.1F;                  ///< and hair that lies so stays.
+constexpr float kAlike = 0.5F;                     ///< Cosine: hair that lies so goes along,
+constexpr float kHangs = 2.0F;                     ///< Of the length that stands up: hair so long hangs.
+constexpr float kUnlike = 0.1F;                    ///< and hair that lies so stays.
 const glm::vec3 kOverTheMiddle(-1.0F, 1.0F, 1.0F); ///< Reflects Hd.
 
 /// One point of the skin whose hair is pulled along, and the direction that it gets.
 struct Held
 {
     sim::SurfacePoint root;
-    glm::vec3 across{1.0F};            ///< What reflects the pointer's way into this one's.
+    glm::vec3 across{1.0F};            ///< What reflects the pointer's movement into this one's.
     glm::vec3 lyingHd{0.0F};           ///< Unit: how it lay when it was taken hold of.
     std::vector<float> agreement = {}; ///< [kSize][kSize] of SkinFrames; below 0: not asked for yet.
 };
@@ -63,7 +77,14 @@ class GrabTool : public Tool, private HairHandler
 public:
     [[nodiscard]] const ToolTraits& traits() const override { return kGrab; }
 
+    [[nodiscard]] QString hintFor(const ToolSettings& settings) const override
+    {
+        return settings.grab == GrabKind::Guides
+                   ? tr("Point at hair, and drag a node of the hairs that are shown; they keep their length")
+                   : hint();
+    }
     [[nodiscard]] HairHandler* hairHandler() override { return this; }
+    [[nodiscard]] std::vector<GuideStrand> guides() const override { return m_guides; }
 
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override
@@ -96,6 +117,13 @@ private:
     {
         pull(event.targetHd, event.modifiers.testFlag(Qt::ControlModifier), context);
     }
+    void hoverHair(const std::optional<GrabbedHair>& hair, ToolContext& context) override
+    {
+        if (active())
+            return;
+        m_guides = hair && context.settings.grab == GrabKind::Guides ? guidesAround(context, hair->root)
+                                                                     : std::vector<GuideStrand>();
+    }
     void releaseHair(const HairEvent& event, ToolContext& context) override
     {
         if (!active())
@@ -109,9 +137,11 @@ private:
     void pull(glm::vec3 targetHd, bool lengths, ToolContext& context);
     [[nodiscard]] StrokeBuffer masksFor(std::size_t layer, const ToolSettings& settings);
     [[nodiscard]] glm::vec3 lyingHd(glm::vec2 uv, const sim::SkinFrame& frame);
-    [[nodiscard]] float agreement(Held& held, glm::vec2 place);
+    [[nodiscard]] float agreement(Held& held, glm::vec2 position);
     void layGel(const ToolSettings& settings);
-    void layDirections(glm::vec3 wayHd, std::optional<float> flatness, const ToolSettings& settings);
+    void layDirections(glm::vec3 directionHd, std::optional<float> flatness, const ToolSettings& settings);
+    void takeCourse(const GrabbedHair& hair, const ToolContext& context);
+    void layCourse(glm::vec3 targetHd, const ToolSettings& settings);
     void layLengths(float factor, const sim::GroupSettings& group, const ToolSettings& settings);
     void drop();
 
@@ -128,6 +158,9 @@ private:
     glm::vec3 m_startHd{0.0F};
     float m_alongM = 0.0F; ///< Of the point that was grabbed, from the root; 0 in the paint area.
     bool m_moved = false;
+    std::vector<GuideStrand> m_guides; ///< Offered to be bent.
+    HairCourse m_course;               ///< Of the hair that is bent, as it lay; none where only its root is turned.
+    std::size_t m_courseNode = 0;      ///< Which of its nodes is held.
 };
 
 void GrabTool::press(const ToolEvent& event, ToolContext& context)
@@ -164,6 +197,7 @@ void GrabTool::take(const GrabbedHair& hair, ToolContext& context)
     m_before.emplace(context, *m_frames, m_edit.size());
     for (Held& held : m_held)
         held.lyingHd = lyingHd(held.root.uv, sim::SkinFrame::at(held.root));
+    takeCourse(hair, context);
     m_masks.emplace(masksFor(0, context.settings));
     m_tiles = m_masks->takeDirty();
     m_length = inTheAir ? m_edit.also(context, context.layer(MapKind::Length)) : std::nullopt;
@@ -192,13 +226,16 @@ void GrabTool::pull(glm::vec3 targetHd, bool lengths, ToolContext& context)
     const glm::vec3 rootHd = m_held.front().root.positionHd;
     // Only so much of a hair shows where it goes at its root; the rest hangs, wherever that points.
     const float carried = std::min(1.0F, group->settings.physics.stiffnessM / std::max(m_alongM, kStillM));
-    const glm::vec3 way = targetHd - m_startHd + (m_startHd - rootHd) * (m_alongM > 0.0F ? carried : 1.0F);
+    const glm::vec3 offset = targetHd - m_startHd + (m_startHd - rootHd) * (m_alongM > 0.0F ? carried : 1.0F);
     const float distanceM = glm::distance(targetHd, rootHd);
-    if (glm::length(way) < kStillM || distanceM < kStillM)
+    if (glm::length(offset) < kStillM || distanceM < kStillM)
         return;
     const ToolSettings& settings = context.settings;
     const bool inTheAir = m_alongM > 0.0F;
-    layDirections(glm::normalize(way), inTheAir ? std::nullopt : std::optional(settings.flatness), settings);
+    if (!m_course.empty())
+        layCourse(targetHd, settings);
+    else
+        layDirections(glm::normalize(offset), inTheAir ? std::nullopt : std::optional(settings.flatness), settings);
     if (active() && m_gel)
         layGel(settings);
     if (!active() || !m_length)
@@ -209,7 +246,7 @@ void GrabTool::pull(glm::vec3 targetHd, bool lengths, ToolContext& context)
         m_edit.replace({}, {}, *m_length);
 }
 
-/// Around what is held, by the brush: hair that lies the same way.
+/// Around what is held, by the brush: hair that lies in the same direction.
 StrokeBuffer GrabTool::masksFor(std::size_t layer, const ToolSettings& settings)
 {
     const int size = m_edit.size(layer);
@@ -229,8 +266,8 @@ StrokeBuffer GrabTool::masksFor(std::size_t layer, const ToolSettings& settings)
                 for (int x = rect.x0; x < rect.x1; ++x, ++texel) {
                     if (from[texel] == 0)
                         continue;
-                    const glm::vec2 place = (glm::vec2(x, y) + 0.5F) / static_cast<float>(size);
-                    const float along = agreement(held, place) * static_cast<float>(from[texel]);
+                    const glm::vec2 position = (glm::vec2(x, y) + 0.5F) / static_cast<float>(size);
+                    const float along = agreement(held, position) * static_cast<float>(from[texel]);
                     to[texel] = std::max(to[texel], static_cast<std::uint16_t>(along));
                 }
         }
@@ -247,10 +284,10 @@ glm::vec3 GrabTool::lyingHd(glm::vec2 uv, const sim::SkinFrame& frame)
 }
 
 /// 1 where hair lies as that which is held, 0 where it lies elsewhere, as beyond a parting. Found once for each sample
-/// of the frames' table. `place`: from the layout's upper left.
-float GrabTool::agreement(Held& held, glm::vec2 place)
+/// of the frames' table. `position`: from the layout's upper left.
+float GrabTool::agreement(Held& held, glm::vec2 position)
 {
-    const glm::ivec2 cell = glm::clamp(glm::ivec2(place * static_cast<float>(SkinFrames::kSize)), glm::ivec2(0),
+    const glm::ivec2 cell = glm::clamp(glm::ivec2(position * static_cast<float>(SkinFrames::kSize)), glm::ivec2(0),
                                        glm::ivec2(SkinFrames::kSize - 1));
     if (held.agreement.empty())
         held.agreement.resize(std::size_t{SkinFrames::kSize} * SkinFrames::kSize, -1.0F);
@@ -258,9 +295,9 @@ float GrabTool::agreement(Held& held, glm::vec2 place)
         held.agreement[static_cast<std::size_t>(cell.y) * SkinFrames::kSize + static_cast<std::size_t>(cell.x)];
     if (known < 0.0F) {
         const glm::vec2 middle = (glm::vec2(cell) + 0.5F) / static_cast<float>(SkinFrames::kSize);
-        const std::optional<SkinPlace>& there = m_frames->place(cell.x, cell.y);
+        const std::optional<FramedPoint>& there = m_frames->point(cell.x, cell.y);
         const float along = there ? glm::dot(lyingHd({middle.x, 1.0F - middle.y}, there->frame), held.lyingHd) : 1.0F;
-        known = std::clamp((along - kOtherWay) / (kSameWay - kOtherWay), 0.0F, 1.0F);
+        known = std::clamp((along - kUnlike) / (kAlike - kUnlike), 0.0F, 1.0F);
     }
     return known;
 }
@@ -282,18 +319,18 @@ void GrabTool::layGel(const ToolSettings& settings)
     m_edit.update(m_gelTiles, gelled, *m_gel);
 }
 
-/// All go the same way as the hair that is held, `flatness` aside, each in the frame of its root.
-void GrabTool::layDirections(glm::vec3 wayHd, std::optional<float> flatness, const ToolSettings& settings)
+/// All take the direction of the hair that is held, `flatness` aside, each in the frame of its root.
+void GrabTool::layDirections(glm::vec3 directionHd, std::optional<float> flatness, const ToolSettings& settings)
 {
     const int size = m_edit.size();
     CombField field(size);
     for (const Held& held : m_held) {
-        const glm::vec3 ownHd = wayHd * held.across;
+        const glm::vec3 ownHd = directionHd * held.across;
         const sim::SkinFrame centre = sim::SkinFrame::at(held.root);
         const Dab dab = dabAt(SkinMetric::at(held.root), held.root.uv, 0.5F * settings.brushSizeM, size);
         field.add(dab, [&](int x, int y) -> std::optional<glm::vec2> {
-            const glm::vec2 place = (glm::vec2(x, y) + 0.5F) / static_cast<float>(size);
-            const sim::SkinFrame frame = m_frames->at({place.x, 1.0F - place.y}).value_or(centre);
+            const glm::vec2 position = (glm::vec2(x, y) + 0.5F) / static_cast<float>(size);
+            const sim::SkinFrame frame = m_frames->at({position.x, 1.0F - position.y}).value_or(centre);
             const glm::vec2 inPlane = frame.fromHd(ownHd);
             const float length = glm::length(inPlane);
             // What would go into the head lies flat on it.
@@ -306,6 +343,48 @@ void GrabTool::layDirections(glm::vec3 wayHd, std::optional<float> flatness, con
     m_edit.update(m_tiles, [&](int index, const sim::RasterTilePtr& before) {
         const std::vector<std::uint16_t> values = field.values(index);
         const StrokeBuffer::MaskTile& mask = *m_masks->mask(index);
+        m_before->look(index);
+        return paintTile(m_edit.spec(), m_before->under(index, before, mask), mask,
+                         {.values = values.data(), .opacity = opacity});
+    });
+}
+
+/// Hair that is held where it hangs is bent there; that which stands is turned at its root.
+void GrabTool::takeCourse(const GrabbedHair& hair, const ToolContext& context)
+{
+    m_course.clear();
+    const HairGroup* group = context.document.project().group(context.target.group);
+    if (hair.alongM <= 0.0F || group == nullptr)
+        return;
+    const bool isGuide = context.settings.grab == GrabKind::Guides;
+    if (!isGuide && hair.alongM < kHangs * group->settings.physics.stiffnessM)
+        return;
+    std::optional<HairCourse> course = courseOf(context, hair.root);
+    if (!course)
+        return;
+    m_course = std::move(*course);
+    m_courseNode = nodeAlong(m_course, hair.alongM);
+    for (GuideStrand& guide : m_guides)
+        guide.held = glm::distance(guide.nodesHd.front(), m_course.front()) < kStillM;
+}
+
+/// The hair is bent to the pointer; it and what lies around it takes that course over the skin.
+void GrabTool::layCourse(glm::vec3 targetHd, const ToolSettings& settings)
+{
+    std::vector<HairCourse> courses(m_held.size(), m_course);
+    bendHair(courses.front(), m_courseNode, targetHd);
+    for (GuideStrand& guide : m_guides)
+        if (guide.held)
+            guide.nodesHd = courses.front();
+    for (std::size_t i = 1; i < courses.size(); ++i)
+        for (std::size_t node = 0; node < m_course.size(); ++node)
+            courses[i][node] = courses.front()[node] * m_held[i].across;
+    LaidHair laid = layAlong(courses, {.radiusM = 0.5F * settings.brushSizeM, .hardness = settings.hardness}, *m_frames,
+                             m_edit.size(), m_edit.clips());
+    const std::uint16_t opacity = unit16(settings.opacity);
+    m_edit.replace(laid.masks.takeDirty(), [&](int index, const sim::RasterTilePtr& before) {
+        const std::vector<std::uint16_t> values = laid.field.values(index);
+        const StrokeBuffer::MaskTile& mask = *laid.masks.mask(index);
         m_before->look(index);
         return paintTile(m_edit.spec(), m_before->under(index, before, mask), mask,
                          {.values = values.data(), .opacity = opacity});
@@ -339,6 +418,8 @@ void GrabTool::drop()
     m_lengthBefore.reset();
     m_gelBefore.reset();
     m_before.reset();
+    m_course.clear();
+    m_guides.clear();
     m_masks.reset();
     m_lengthMasks.reset();
     m_gelMasks.reset();

@@ -48,7 +48,7 @@ float GroupCut::longestM() const
     float longest = 0.0F;
     if (m_hair != nullptr)
         for (std::size_t slot = 0; slot < groom().roots->count(); ++slot)
-            if (m_hair->places(slot))
+            if (m_hair->isPositioned(slot))
                 longest = std::max(longest, groom().style(slot).lengthM);
     return longest;
 }
@@ -67,7 +67,7 @@ std::pair<glm::vec3, glm::vec3> GroupCut::lowestAndHighestRoot() const
     glm::vec3 highest(0.0F, -kNowhere, 0.0F);
     if (m_hair != nullptr)
         for (std::size_t slot = 0; slot < groom().roots->count(); ++slot) {
-            if (!m_hair->places(slot))
+            if (!m_hair->isPositioned(slot))
                 continue;
             const glm::vec3 root = groom().roots->positionHd[slot];
             if (root.y < lowest.y)
@@ -121,7 +121,7 @@ void GroupCut::cut(const std::function<float(std::uint32_t slot, float lengthM)>
         return;
     std::vector<StrandCut> cuts;
     for (std::uint32_t slot = 0; keptOf && slot < groom().roots->count(); ++slot) {
-        if (!m_hair->places(slot))
+        if (!m_hair->isPositioned(slot))
             continue;
         const sim::StrandStyle& style = groom().style(slot);
         const float lengthM = style.braid == sim::BraidKind::None ? m_before->at(slot) : style.lengthM;
@@ -161,7 +161,7 @@ void GroupCut::forEachCurve(const std::function<bool(std::uint32_t)>& wanted,
         std::vector<glm::vec3> nodes(static_cast<std::size_t>(groom().nodes)), points;
         for (std::size_t slot = begin * kCurvesAtOnce; slot < std::min(count, end * kCurvesAtOnce); ++slot) {
             const auto number = static_cast<std::uint32_t>(slot);
-            if (!m_hair->places(slot) || !wanted(number))
+            if (!m_hair->isPositioned(slot) || !wanted(number))
                 continue;
             groom().blocks().read(m_hair->positions, groom().frameStrand(slot), nodes);
             for (glm::vec3& node : nodes)

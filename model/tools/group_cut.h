@@ -33,7 +33,7 @@ struct GradedLengths
 class GroupCut
 {
 public:
-    /// `text`: what the undo step will be called. `frame` holds hair of the group, every hair placed.
+    /// `text`: what the undo step will be called. `frame` holds hair of the group, every hair positioned.
     GroupCut(ToolContext& context, std::shared_ptr<const sim::StrandFrame> frame, const QString& text);
 
     /// False where the layer is missing, hidden or locked, or where there is no hair.

@@ -31,8 +31,8 @@ sim::RasterTilePtr heldTile(const NearAt& nearAt, const MapSpec& spec, int mapSi
             const std::uint16_t wanted = paint.mask != nullptr ? (*paint.mask)[texel] : std::uint16_t{65535};
             if (wanted == 0)
                 continue;
-            const glm::vec2 place = (glm::vec2(first + glm::ivec2(x, y)) + 0.5F) / static_cast<float>(mapSize);
-            const glm::vec2 uv(place.x, 1.0F - place.y);
+            const glm::vec2 position = (glm::vec2(first + glm::ivec2(x, y)) + 0.5F) / static_cast<float>(mapSize);
+            const glm::vec2 uv(position.x, 1.0F - position.y);
             const float near = nearAt(uv);
             if (near == 0.0F || !valueAt(uv, first + glm::ivec2(x, y), &values[texel * channels]))
                 continue;

@@ -19,9 +19,9 @@ constexpr float kOverSkinM = 0.015F; ///< So far over the skin hair is laid.
 constexpr float kEnoughHairs = 6.0F; ///< A cell with so many needs no coarser one.
 constexpr int kCoarsestCells = 16;
 
-bool isFar(const sim::DistanceGrid& distances, const glm::vec3& placeHd)
+bool isFar(const sim::DistanceGrid& distances, const glm::vec3& positionHd)
 {
-    const std::optional<sim::DistanceGrid::Sample> sample = distances.at(placeHd);
+    const std::optional<sim::DistanceGrid::Sample> sample = distances.at(positionHd);
     return sample && sample->distanceM > kOverSkinM + 0.5F * distances.layout().cellM;
 }
 
@@ -46,9 +46,9 @@ struct Sums
     template<typename Use>
     static void around(int side, glm::vec2 uv, const Use& use)
     {
-        const glm::vec2 place = uv * static_cast<float>(side) - 0.5F;
-        const glm::ivec2 corner(glm::floor(place));
-        const glm::vec2 fraction = place - glm::vec2(corner);
+        const glm::vec2 position = uv * static_cast<float>(side) - 0.5F;
+        const glm::ivec2 corner(glm::floor(position));
+        const glm::vec2 fraction = position - glm::vec2(corner);
         for (int k = 0; k < 4; ++k) {
             const glm::ivec2 at = corner + glm::ivec2(k % 2, k / 2);
             if (at.x >= 0 && at.y >= 0 && at.x < side && at.y < side)
@@ -117,16 +117,16 @@ std::vector<LyingHair> lyingHairs(const sim::GroupFrame& group, const sim::HeadP
     hairs.reserve(groom.drawnCount);
     std::vector<glm::vec3> nodes(static_cast<std::size_t>(groom.nodes));
     for (std::size_t slot = 0; slot < roots.count(); ++slot) {
-        if (!group.places(slot))
+        if (!group.isPositioned(slot))
             continue;
         blocks.read(group.positions, groom.frameStrand(slot), nodes);
         const float alongM = std::min(kAlongM, groom.style(slot).lengthM * kAlongPart);
-        const glm::vec3 wayHd = toHead * (placeAlong(nodes, alongM) - nodes.front());
-        const float length = glm::length(wayHd);
+        const glm::vec3 directionHd = toHead * (pointAlong(nodes, alongM) - nodes.front());
+        const float length = glm::length(directionHd);
         if (!(length > 1e-6F))
             continue;
         const auto root = static_cast<std::uint32_t>(slot);
-        hairs.push_back({.uv = roots.uv[slot], .direction = roots.frame(root).fromHd(wayHd / length)});
+        hairs.push_back({.uv = roots.uv[slot], .direction = roots.frame(root).fromHd(directionHd / length)});
     }
     return hairs;
 }
@@ -144,7 +144,7 @@ std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::H
     std::vector<std::size_t> slots;
     std::size_t number = 0;
     for (std::size_t slot = 0; slot < roots.count(); ++slot)
-        if (group.places(slot) && number++ % step == 0)
+        if (group.isPositioned(slot) && number++ % step == 0)
             slots.push_back(slot);
     const auto nodeCount = static_cast<std::size_t>(groom.nodes);
     std::vector<std::optional<LyingHair>> found(slots.size() * nodeCount);
@@ -153,15 +153,15 @@ std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::H
         for (std::size_t i = begin; i < end; ++i) {
             blocks.read(group.positions, groom.frameStrand(slots[i]), nodes);
             for (std::size_t node = 1; node + 1 < nodeCount; ++node) {
-                const glm::vec3 placeHd = toHead * (nodes[node] - pose.positionWo);
-                if (distances != nullptr && isFar(*distances, placeHd))
+                const glm::vec3 positionHd = toHead * (nodes[node] - pose.positionWo);
+                if (distances != nullptr && isFar(*distances, positionHd))
                     continue;
-                const glm::vec3 wayHd = toHead * (nodes[node + 1] - nodes[node - 1]);
-                const float length = glm::length(wayHd);
-                const sim::SurfacePoint under = roots.skin->nearest(placeHd);
-                if (length > 1e-6F && glm::distance(under.positionHd, placeHd) < kOverSkinM)
+                const glm::vec3 directionHd = toHead * (nodes[node + 1] - nodes[node - 1]);
+                const float length = glm::length(directionHd);
+                const sim::SurfacePoint under = roots.skin->nearest(positionHd);
+                if (length > 1e-6F && glm::distance(under.positionHd, positionHd) < kOverSkinM)
                     found[i * nodeCount + node] =
-                        LyingHair{.uv = under.uv, .direction = sim::SkinFrame::at(under).fromHd(wayHd / length)};
+                        LyingHair{.uv = under.uv, .direction = sim::SkinFrame::at(under).fromHd(directionHd / length)};
             }
         }
     });
@@ -233,7 +233,7 @@ std::optional<glm::vec2> LyingField::at(glm::vec2 uv) const
     });
     if (!(weights > 0.0F))
         return std::nullopt;
-    // The mean way with the mean length: where hair turns, the mean alone would stand up.
+    // The mean direction with the mean length: where hair turns, the mean alone would stand up.
     const glm::vec3 mean = sum / weights;
     const float length = glm::length(glm::vec2(mean));
     return length > 1e-4F ? glm::vec2(mean) * (mean.z / length) : glm::vec2(0.0F);

@@ -32,16 +32,16 @@ struct RootCells
     {
         const std::vector<glm::vec3>& positions = hair.groom->roots->positionHd;
         glm::vec3 greatest(std::numeric_limits<float>::lowest());
-        float placed = 1.0F;
+        float positioned = 1.0F;
         for (std::size_t slot = 0; slot < positions.size(); ++slot)
-            if (hair.places(slot)) {
+            if (hair.isPositioned(slot)) {
                 least = glm::min(least, positions[slot]);
                 greatest = glm::max(greatest, positions[slot]);
-                placed += 1.0F;
+                positioned += 1.0F;
             }
         const glm::vec3 extent = glm::max(greatest - least, 0.0F);
         const float sideM = std::max({extent.x, extent.y, extent.z});
-        nearM = std::max(kNearM, kSpacings * sideM / std::sqrt(placed));
+        nearM = std::max(kNearM, kSpacings * sideM / std::sqrt(positioned));
         cellM = std::max(nearM, sideM / static_cast<float>(kMostCells));
         count = glm::ivec3(extent / cellM) + 1;
         first.assign(static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
@@ -49,13 +49,13 @@ struct RootCells
                          1,
                      0);
         for (std::size_t slot = 0; slot < positions.size(); ++slot)
-            if (hair.places(slot))
+            if (hair.isPositioned(slot))
                 ++first[index(cell(positions[slot])) + 1];
         std::partial_sum(first.begin(), first.end(), first.begin());
         slots.resize(first.back());
         std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
         for (std::size_t slot = 0; slot < positions.size(); ++slot)
-            if (hair.places(slot))
+            if (hair.isPositioned(slot))
                 slots[next[index(cell(positions[slot]))]++] = static_cast<std::uint32_t>(slot);
     }
     [[nodiscard]] glm::ivec3 cell(glm::vec3 positionHd) const
@@ -81,7 +81,7 @@ std::vector<std::uint32_t> mirroredRoots(const sim::GroupFrame& hair)
     const RootCells cells(hair);
     sim::parallelFor(positions.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t slot = begin; slot < end; ++slot) {
-            if (!hair.places(slot))
+            if (!hair.isPositioned(slot))
                 continue;
             const glm::vec3 reflected = positions[slot] * glm::vec3(-1.0F, 1.0F, 1.0F);
             const glm::ivec3 low = glm::max(cells.cell(reflected) - 1, glm::ivec3(0));

@@ -51,7 +51,7 @@ private:
 
 /// The points straight on from a curve's end (or its beginning), a few mm apart, up to the first that has no hair; none
 /// where the curve does not lead toward the face, or hair goes on for more than some cm. `density`: of one channel.
-[[nodiscard]] std::vector<sim::SurfacePoint> placesToHairline(const sim::Skin& skin, const PartCurve& curve, bool atEnd,
+[[nodiscard]] std::vector<sim::SurfacePoint> pointsToHairline(const sim::Skin& skin, const PartCurve& curve, bool atEnd,
                                                               const sim::TiledRaster& density);
 
 /// A soft zigzag about a curve, straight at both ends.

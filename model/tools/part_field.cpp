@@ -57,7 +57,7 @@ PartField::PartField(SkinFrames& frames, PartCurve curve, const PartLook& look)
     m_tiles.resize(std::size_t{kTilesAcross} * kTilesAcross);
     const std::vector<int> near = tilesNear(frames.skin().mesh());
     for (const int tile : near) // Fills the table, which one thread alone may.
-        (void)frames.place(tile % kTilesAcross * SkinFrames::kTileSide, tile / kTilesAcross * SkinFrames::kTileSide);
+        (void)frames.point(tile % kTilesAcross * SkinFrames::kTileSide, tile / kTilesAcross * SkinFrames::kTileSide);
     sim::parallelFor(near.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             fill(m_tiles[static_cast<std::size_t>(near[i])], near[i], frames);
@@ -68,15 +68,15 @@ void PartField::fill(Tile& tile, int index, SkinFrames& frames) const
 {
     const int left = index % kTilesAcross * SkinFrames::kTileSide;
     const int top = index / kTilesAcross * SkinFrames::kTileSide;
-    tile.places.resize(std::size_t{kTileSide} * kTileSide);
+    tile.samples.resize(std::size_t{kTileSide} * kTileSide);
     tile.nearestM = std::numeric_limits<float>::max();
-    auto place = tile.places.begin();
+    auto sample = tile.samples.begin();
     for (int y = 0; y < kTileSide; ++y)
-        for (int x = 0; x < kTileSide; ++x, ++place)
-            if (const std::optional<SkinPlace>& skin = frames.place(left + x * kStride, top + y * kStride)) {
-                *place = placeOf(*skin);
-                if (*place)
-                    tile.nearestM = std::min(tile.nearestM, std::hypot((*place)->lateralM, (*place)->beyondM));
+        for (int x = 0; x < kTileSide; ++x, ++sample)
+            if (const std::optional<FramedPoint>& skin = frames.point(left + x * kStride, top + y * kStride)) {
+                *sample = sampleOf(*skin);
+                if (*sample)
+                    tile.nearestM = std::min(tile.nearestM, std::hypot((*sample)->lateralM, (*sample)->beyondM));
             }
 }
 
@@ -125,7 +125,7 @@ float PartField::endFadeM() const
 }
 
 /// None out of reach.
-std::optional<PartField::Place> PartField::placeOf(const SkinPlace& skin) const
+std::optional<PartField::Sample> PartField::sampleOf(const FramedPoint& skin) const
 {
     if (glm::any(glm::lessThan(skin.positionHd, m_lowHd)) || glm::any(glm::greaterThan(skin.positionHd, m_highHd)))
         return std::nullopt;
@@ -162,71 +162,71 @@ std::optional<PartField::Place> PartField::placeOf(const SkinPlace& skin) const
     const float length = glm::length(right);
     if (length <= 0.0F)
         return std::nullopt;
-    Place place{.positionHd = skin.positionHd, .right = right / length, .frame = skin.frame};
+    Sample sample{.positionHd = skin.positionHd, .right = right / length, .frame = skin.frame};
     glm::vec3 outHd(0.0F);
     if (piece == 0 && within <= 0.0F)
         outHd = -a.tangentHd;
     else if (piece + 2 == samples.size() && within >= 1.0F)
         outHd = b.tangentHd;
-    place.beyondM = std::max(glm::dot(awayHd, outHd), 0.0F);
-    const float turned = kOutward * eased(0.0F, endFadeM(), place.beyondM);
+    sample.beyondM = std::max(glm::dot(awayHd, outHd), 0.0F);
+    const float turned = kOutward * eased(0.0F, endFadeM(), sample.beyondM);
     const float combed = std::clamp(std::max(skin.frame.normal.y, skin.frame.normal.z), 0.0F, 1.0F);
     const glm::vec2 back = skin.frame.fromHd({0.0F, 0.0F, -kLaidBack * combed});
-    place.shared = back - place.right * glm::dot(back, place.right) + skin.frame.fromHd(outHd) * turned;
+    sample.shared = back - sample.right * glm::dot(back, sample.right) + skin.frame.fromHd(outHd) * turned;
     const glm::vec3 rightHd = glm::mix(a.rightHd(), b.rightHd(), within);
-    const float sideM = std::sqrt(std::max(nearest - place.beyondM * place.beyondM, 0.0F));
-    place.lateralM = std::copysign(sideM, glm::dot(awayHd, rightHd));
-    place.alongM = glm::mix(a.alongM, b.alongM, within);
-    return place;
+    const float sideM = std::sqrt(std::max(nearest - sample.beyondM * sample.beyondM, 0.0F));
+    sample.lateralM = std::copysign(sideM, glm::dot(awayHd, rightHd));
+    sample.alongM = glm::mix(a.alongM, b.alongM, within);
+    return sample;
 }
 
-const PartField::Place* PartField::entry(int x, int y) const
+const PartField::Sample* PartField::entry(int x, int y) const
 {
     const Tile& tile = m_tiles[indexOf(x / kTileSide, y / kTileSide, kTilesAcross)];
-    if (tile.places.empty())
+    if (tile.samples.empty())
         return nullptr;
-    const std::optional<Place>& place = tile.places[indexOf(x % kTileSide, y % kTileSide, kTileSide)];
-    return place ? &*place : nullptr;
+    const std::optional<Sample>& sample = tile.samples[indexOf(x % kTileSide, y % kTileSide, kTileSide)];
+    return sample ? &*sample : nullptr;
 }
 
 /// Between the samples around it that lie on its island; none out of reach.
-std::optional<PartField::Place> PartField::at(glm::vec2 uv) const
+std::optional<PartField::Sample> PartField::at(glm::vec2 uv) const
 {
     constexpr float kPerUv = SkinFrames::kSize;
     const glm::vec2 onTable =
         glm::clamp((glm::vec2(uv.x, 1.0F - uv.y) * kPerUv - 0.5F) / static_cast<float>(kStride), 0.0F, kSize - 1.0F);
     const glm::ivec2 corner(glm::floor(onTable));
     const glm::vec2 fraction = onTable - glm::vec2(corner);
-    std::array<std::pair<const Place*, float>, 4> around{};
-    const Place* nearest = nullptr;
+    std::array<std::pair<const Sample*, float>, 4> around{};
+    const Sample* nearest = nullptr;
     float nearestWeight = 0.0F;
     for (int k = 0; k < 4; ++k) {
         const glm::ivec2 there = glm::min(corner + glm::ivec2(k % 2, k / 2), kSize - 1);
         const float weight =
             (k % 2 == 0 ? 1.0F - fraction.x : fraction.x) * (k / 2 == 0 ? 1.0F - fraction.y : fraction.y);
-        const Place* place = entry(there.x, there.y);
-        around[static_cast<std::size_t>(k)] = {place, weight};
-        if (place != nullptr && weight >= nearestWeight) {
-            nearest = place;
+        const Sample* sample = entry(there.x, there.y);
+        around[static_cast<std::size_t>(k)] = {sample, weight};
+        if (sample != nullptr && weight >= nearestWeight) {
+            nearest = sample;
             nearestWeight = weight;
         }
     }
     if (nearest == nullptr)
         return std::nullopt;
-    Place sum{.frame = nearest->frame};
+    Sample sum{.frame = nearest->frame};
     float weights = 0.0F;
-    for (const auto& [place, weight] : around) {
+    for (const auto& [sample, weight] : around) {
         // Between two windings of a curve the left of one meets the right of the other: no parting lies there.
-        if (place == nullptr || glm::dot(place->frame.x, nearest->frame.x) < SkinFrames::kAlike ||
-            glm::dot(place->frame.normal, nearest->frame.normal) < SkinFrames::kAlike ||
-            glm::distance(place->positionHd, nearest->positionHd) > kOneIslandM ||
-            (place->lateralM * nearest->lateralM < 0.0F && std::abs(nearest->lateralM) > kCloseM))
+        if (sample == nullptr || glm::dot(sample->frame.x, nearest->frame.x) < SkinFrames::kAlike ||
+            glm::dot(sample->frame.normal, nearest->frame.normal) < SkinFrames::kAlike ||
+            glm::distance(sample->positionHd, nearest->positionHd) > kOneIslandM ||
+            (sample->lateralM * nearest->lateralM < 0.0F && std::abs(nearest->lateralM) > kCloseM))
             continue;
-        sum.right += place->right * weight;
-        sum.shared += place->shared * weight;
-        sum.lateralM += place->lateralM * weight;
-        sum.alongM += place->alongM * weight;
-        sum.beyondM += place->beyondM * weight;
+        sum.right += sample->right * weight;
+        sum.shared += sample->shared * weight;
+        sum.lateralM += sample->lateralM * weight;
+        sum.alongM += sample->alongM * weight;
+        sum.beyondM += sample->beyondM * weight;
         weights += weight;
     }
     const float length = glm::length(sum.right);
@@ -252,7 +252,7 @@ std::vector<int> PartField::tilesWithin(float distanceM, int size) const
             for (int y = row * kTilesAcross / across; !any && y * across < (row + 1) * kTilesAcross; ++y)
                 for (int x = column * kTilesAcross / across; !any && x * across < (column + 1) * kTilesAcross; ++x) {
                     const Tile& tile = m_tiles[indexOf(x, y, kTilesAcross)];
-                    any = !tile.places.empty() && tile.nearestM < distanceM + kBetweenM;
+                    any = !tile.samples.empty() && tile.nearestM < distanceM + kBetweenM;
                 }
             if (any)
                 tiles.push_back(row * across + column);
@@ -290,8 +290,8 @@ void PartField::forTexels(int tileIndex, int size, const Visit& visit) const
         for (int x = 0; x < kTile; ++x, ++texel) {
             const glm::vec2 uv((left + static_cast<float>(x) + 0.5F) * step,
                                1.0F - (top + static_cast<float>(y) + 0.5F) * step);
-            if (const std::optional<Place> place = at(uv))
-                visit(texel, *place);
+            if (const std::optional<Sample> sample = at(uv))
+                visit(texel, *sample);
         }
 }
 
@@ -299,14 +299,15 @@ PartField::LaidTile PartField::laid(int tileIndex, int size) const
 {
     LaidTile tile;
     tile.values.assign(sim::kTileTexels * 2, static_cast<std::uint16_t>(sim::kDirectionZero));
-    forTexels(tileIndex, size, [&](std::size_t texel, const Place& place) {
-        const float outM = std::abs(place.lateralM);
-        tile.mask.at(texel) = unit16((1.0F - eased(kFullReach * m_look.reachM, m_look.reachM, outM)) *
-                                     (1.0F - eased(std::min(kPastEndM, 0.5F * endFadeM()), endFadeM(), place.beyondM)));
-        const float side = place.lateralM < zigzagAt(place.alongM).lateralM ? -1.0F : 1.0F;
-        const glm::vec2 way = place.right * side + place.shared;
-        const float length = std::max(glm::length(way), 1e-3F);
-        const sim::Texel stored = sim::texelOfDirection(way * (m_look.flatness / length));
+    forTexels(tileIndex, size, [&](std::size_t texel, const Sample& sample) {
+        const float outM = std::abs(sample.lateralM);
+        tile.mask.at(texel) =
+            unit16((1.0F - eased(kFullReach * m_look.reachM, m_look.reachM, outM)) *
+                   (1.0F - eased(std::min(kPastEndM, 0.5F * endFadeM()), endFadeM(), sample.beyondM)));
+        const float side = sample.lateralM < zigzagAt(sample.alongM).lateralM ? -1.0F : 1.0F;
+        const glm::vec2 direction = sample.right * side + sample.shared;
+        const float length = std::max(glm::length(direction), 1e-3F);
+        const sim::Texel stored = sim::texelOfDirection(direction * (m_look.flatness / length));
         std::copy_n(stored.begin(), 2, tile.values.begin() + static_cast<std::ptrdiff_t>(2 * texel));
     });
     return tile;
@@ -318,11 +319,11 @@ StrokeBuffer::MaskTile PartField::gap(int tileIndex, int size) const
     const float texelM = m_curve.mPerUv() / static_cast<float>(size);
     const float halfM = halfGapM(size);
     const float softM = std::max(kGapSoftness * halfM, kLeastSoftnessTx * texelM);
-    forTexels(tileIndex, size, [&](std::size_t texel, const Place& place) {
-        const Zigzag::Offset zigzag = zigzagAt(place.alongM);
-        const float alongM = place.alongM - m_look.leadInM;
-        const float beyondM = std::max(place.beyondM, std::max(-alongM, alongM - partedM()));
-        const float sideM = (place.lateralM - zigzag.lateralM) / std::sqrt(1.0F + zigzag.slope * zigzag.slope);
+    forTexels(tileIndex, size, [&](std::size_t texel, const Sample& sample) {
+        const Zigzag::Offset zigzag = zigzagAt(sample.alongM);
+        const float alongM = sample.alongM - m_look.leadInM;
+        const float beyondM = std::max(sample.beyondM, std::max(-alongM, alongM - partedM()));
+        const float sideM = (sample.lateralM - zigzag.lateralM) / std::sqrt(1.0F + zigzag.slope * zigzag.slope);
         mask.at(texel) = unit16(1.0F - eased(halfM - softM, halfM + softM, std::hypot(sideM, std::max(beyondM, 0.0F))));
     });
     return mask;

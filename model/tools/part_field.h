@@ -42,7 +42,7 @@ public:
     [[nodiscard]] StrokeBuffer::MaskTile gap(int tileIndex, int size) const;
 
 private:
-    struct Place
+    struct Sample
     {
         glm::vec3 positionHd{0.0F};
         glm::vec2 right{0.0F}; ///< Unit, in the frame of that point of the skin: away from the curve on its right side.
@@ -58,21 +58,21 @@ private:
     static constexpr int kTilesAcross = SkinFrames::kTilesAcross;
     struct Tile
     {
-        std::vector<std::optional<Place>> places; ///< [kTileSide][kTileSide]; none where nothing is in reach.
-        float nearestM = 0.0F;                    ///< Of its samples to the curve.
+        std::vector<std::optional<Sample>> samples; ///< [kTileSide][kTileSide]; none where nothing is in reach.
+        float nearestM = 0.0F;                      ///< Of its samples to the curve.
     };
 
     [[nodiscard]] std::vector<int> tilesNear(const sim::HeadMesh& mesh) const;
-    [[nodiscard]] std::optional<Place> placeOf(const SkinPlace& skin) const;
+    [[nodiscard]] std::optional<Sample> sampleOf(const FramedPoint& skin) const;
     void fill(Tile& tile, int index, SkinFrames& frames) const;
     [[nodiscard]] std::vector<int> tilesWithin(float distanceM, int size) const;
     [[nodiscard]] float halfGapM(int size) const;
     [[nodiscard]] Zigzag::Offset zigzagAt(float alongM) const;
     [[nodiscard]] float partedM() const { return m_curve.lengthM() - m_look.leadInM - m_look.leadOutM; }
     [[nodiscard]] float endFadeM() const; ///< So far past its ends the parting fades.
-    [[nodiscard]] const Place* entry(int x, int y) const;
-    [[nodiscard]] std::optional<Place> at(glm::vec2 uv) const;
-    /// Calls `visit(texel, place)` for a tile's texels that lie near the curve.
+    [[nodiscard]] const Sample* entry(int x, int y) const;
+    [[nodiscard]] std::optional<Sample> at(glm::vec2 uv) const;
+    /// Calls `visit(texel, sample)` for a tile's texels that lie near the curve.
     template<typename Visit>
     void forTexels(int tileIndex, int size, const Visit& visit) const;
 

@@ -93,8 +93,8 @@ private:
     };
 
     bool begin(const ToolContext& context);
-    [[nodiscard]] std::optional<std::size_t> pointNear(const sim::SurfacePoint& place, float withinM) const;
-    void draw(const sim::SurfacePoint& place);
+    [[nodiscard]] std::optional<std::size_t> pointNear(const sim::SurfacePoint& point, float withinM) const;
+    void draw(const sim::SurfacePoint& point);
     void change(Points points, const ToolContext& context);
     bool stepBack(const ToolContext& context);
     void show(const ToolContext& context);
@@ -215,14 +215,14 @@ void PartTool::move(const ToolEvent& event, ToolContext& context)
 }
 
 /// The last point follows the pointer; now and then it stays and another one follows.
-void PartTool::draw(const sim::SurfacePoint& place)
+void PartTool::draw(const sim::SurfacePoint& point)
 {
     if (!m_moved)
-        m_points.push_back(place);
-    m_points.back() = place;
+        m_points.push_back(point);
+    m_points.back() = point;
     const sim::SurfacePoint& fixed = m_points[m_points.size() - 2];
-    if (glm::distance(fixed.positionHd, place.positionHd) > kDrawnPointsM)
-        m_points.push_back(place);
+    if (glm::distance(fixed.positionHd, point.positionHd) > kDrawnPointsM)
+        m_points.push_back(point);
 }
 
 void PartTool::release(const ToolEvent& event, ToolContext& context)
@@ -272,12 +272,12 @@ bool PartTool::key(Qt::Key key, Qt::KeyboardModifiers /*modifiers*/, ToolContext
     return true;
 }
 
-std::optional<std::size_t> PartTool::pointNear(const sim::SurfacePoint& place, float withinM) const
+std::optional<std::size_t> PartTool::pointNear(const sim::SurfacePoint& point, float withinM) const
 {
     std::optional<std::size_t> found;
     float nearestM = withinM;
     for (std::size_t i = 0; i < m_points.size(); ++i) {
-        const float distanceM = glm::distance(m_points[i].positionHd, place.positionHd);
+        const float distanceM = glm::distance(m_points[i].positionHd, point.positionHd);
         if (distanceM < nearestM) {
             nearestM = distanceM;
             found = i;
@@ -325,8 +325,8 @@ PartCurve PartTool::ledToHairline(PartLook& look) const
     if (m_hair == nullptr || m_curve.empty())
         return m_curve;
     const sim::Skin& skin = m_frames->skin();
-    Points points = placesToHairline(skin, m_curve, false, *m_hair);
-    const Points after = placesToHairline(skin, m_curve, true, *m_hair);
+    Points points = pointsToHairline(skin, m_curve, false, *m_hair);
+    const Points after = pointsToHairline(skin, m_curve, true, *m_hair);
     if (points.empty() && after.empty())
         return m_curve;
     std::ranges::reverse(points);

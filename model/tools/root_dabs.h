@@ -16,6 +16,7 @@ struct RootDab
 {
     Dab dab;
     sim::SurfacePoint root;
+    glm::vec3 seenHd{0.0F}; ///< Where the brush met the strand.
     std::optional<Dab> twin = {};
     std::optional<sim::SurfacePoint> twinRoot = {};
 };

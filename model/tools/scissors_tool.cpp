@@ -69,11 +69,11 @@ constexpr ToolTraits kScissors{
 /// The end of a line of 0, 45 or 90 degrees, as near as can be.
 QPointF constrained(QPointF from, QPointF to)
 {
-    const QPointF way = to - from;
+    const QPointF line = to - from;
     constexpr double kStep = std::numbers::pi / 4.0;
-    const double angle = std::round(std::atan2(way.y(), way.x()) / kStep) * kStep;
+    const double angle = std::round(std::atan2(line.y(), line.x()) / kStep) * kStep;
     const QPointF unit(std::cos(angle), std::sin(angle));
-    return from + unit * QPointF::dotProduct(way, unit);
+    return from + unit * QPointF::dotProduct(line, unit);
 }
 
 /// The hair is cut as it was seen when the line began, wherever it moves meanwhile.

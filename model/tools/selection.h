@@ -25,7 +25,7 @@ public:
 
     void setRectangles(std::vector<QRectF> rectangles); ///< They must not overlap.
     void setRectangle(const std::optional<QRectF>& rectangle);
-    /// What is not selected becomes so, and the other way round; from nothing, everything.
+    /// What is not selected becomes so, and the reverse; from nothing, everything.
     void invert();
 
 Q_SIGNALS:

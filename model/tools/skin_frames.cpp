@@ -9,12 +9,12 @@ namespace hairpaint::model {
 
 SkinFrames::SkinFrames(std::shared_ptr<const sim::Skin> skin) : m_skin(std::move(skin)) {}
 
-const std::optional<SkinPlace>& SkinFrames::place(int x, int y)
+const std::optional<FramedPoint>& SkinFrames::point(int x, int y)
 {
     const int left = x / kTileSide * kTileSide;
     const int top = y / kTileSide * kTileSide;
-    Places& tile = m_tiles.at(static_cast<std::size_t>(top / kTileSide) * kTilesAcross +
-                              static_cast<std::size_t>(left / kTileSide));
+    Tile& tile = m_tiles.at(static_cast<std::size_t>(top / kTileSide) * kTilesAcross +
+                            static_cast<std::size_t>(left / kTileSide));
     if (tile.empty()) {
         tile.resize(std::size_t{kTileSide} * kTileSide);
         auto entry = tile.begin();
@@ -23,7 +23,7 @@ const std::optional<SkinPlace>& SkinFrames::place(int x, int y)
                 const glm::vec2 centre(static_cast<float>(column) + 0.5F, static_cast<float>(row) + 0.5F);
                 const glm::vec2 uv = centre / static_cast<float>(kSize);
                 if (const std::optional<sim::SurfacePoint> point = m_skin->atUv({uv.x, 1.0F - uv.y}))
-                    *entry = SkinPlace{.frame = sim::SkinFrame::at(*point), .positionHd = point->positionHd};
+                    *entry = FramedPoint{.frame = sim::SkinFrame::at(*point), .positionHd = point->positionHd};
             }
     }
     return tile[static_cast<std::size_t>(y - top) * kTileSide + static_cast<std::size_t>(x - left)];
@@ -41,7 +41,7 @@ std::optional<sim::SkinFrame> SkinFrames::at(glm::vec2 uv)
     std::array<std::pair<const sim::SkinFrame*, float>, 4> around{};
     for (int k = 0; k < 4; ++k) {
         const glm::ivec2 at = glm::min(corner + glm::ivec2(k % 2, k / 2), kSize - 1);
-        const std::optional<SkinPlace>& there = place(at.x, at.y);
+        const std::optional<FramedPoint>& there = point(at.x, at.y);
         const float weight =
             (k % 2 == 0 ? 1.0F - fraction.x : fraction.x) * (k / 2 == 0 ? 1.0F - fraction.y : fraction.y);
         around[static_cast<std::size_t>(k)] = {there ? &there->frame : nullptr, weight};

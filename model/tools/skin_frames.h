@@ -11,7 +11,7 @@
 namespace hairpaint::model {
 
 /// A point of the skin and the frame of directions there.
-struct SkinPlace
+struct FramedPoint
 {
     sim::SkinFrame frame;
     glm::vec3 positionHd{0.0F};
@@ -32,15 +32,15 @@ public:
     /// Between the table's samples; none where there is no skin near.
     [[nodiscard]] std::optional<sim::SkinFrame> at(glm::vec2 uv);
     /// The table's own samples, row 0 at v = 1; none off the skin.
-    [[nodiscard]] const std::optional<SkinPlace>& place(int x, int y);
+    [[nodiscard]] const std::optional<FramedPoint>& point(int x, int y);
     [[nodiscard]] const sim::Skin& skin() const { return *m_skin; }
     [[nodiscard]] bool isOf(const std::shared_ptr<const sim::Skin>& skin) const { return m_skin == skin; }
 
 private:
-    using Places = std::vector<std::optional<SkinPlace>>; ///< [kTileSide][kTileSide]
+    using Tile = std::vector<std::optional<FramedPoint>>; ///< [kTileSide][kTileSide]
 
     std::shared_ptr<const sim::Skin> m_skin;
-    std::array<Places, std::size_t{kTilesAcross} * kTilesAcross> m_tiles; ///< Empty: not asked for yet.
+    std::array<Tile, std::size_t{kTilesAcross} * kTilesAcross> m_tiles; ///< Empty: not asked for yet.
 };
 
 } // namespace hairpaint::model

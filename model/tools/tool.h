@@ -81,6 +81,14 @@ struct PictureLine
     bool closed = false;
 };
 
+/// A hair that can be bent node by node, as it is seen.
+struct GuideStrand
+{
+    sim::SurfacePoint root;
+    std::vector<glm::vec3> nodesHd; ///< From the root, which stays, to the tip.
+    bool held = false;              ///< One of its nodes is in the hand.
+};
+
 /// What is drawn over the areas while a tool is in use. uv space; closed where marked.
 struct OverlayShape
 {
@@ -97,6 +105,7 @@ enum class ToolId : std::uint8_t
     Comb,
     Part,
     Grab,
+    Fingers,
     Scissors,
     Gradient,
     Fill,
@@ -167,6 +176,8 @@ public:
     virtual void pressHair(const HairEvent& event, ToolContext& context) = 0;
     virtual void moveHair(const HairEvent& event, ToolContext& context) = 0;
     virtual void releaseHair(const HairEvent& event, ToolContext& context) = 0;
+    /// The pointer moves over hair, or beside it, with no button down.
+    virtual void hoverHair(const std::optional<GrabbedHair>& /*hair*/, ToolContext& /*context*/) {}
 };
 
 /// Of tools that in the 3D area draw over the picture, wherever they begin.
@@ -214,6 +225,8 @@ public:
     [[nodiscard]] virtual PictureHandler* pictureHandler() { return nullptr; }
     /// What it has drawn there.
     [[nodiscard]] virtual PictureLine pictureLine() const { return {}; }
+    /// Hairs that it offers in the 3D area, to be bent by their nodes.
+    [[nodiscard]] virtual std::vector<GuideStrand> guides() const { return {}; }
     /// What the last action has cut off; given once.
     [[nodiscard]] virtual std::vector<CutPiece> takeCutOff();
     /// A key pressed while the tool is in use; false leaves it to others.

@@ -31,6 +31,7 @@ std::vector<std::unique_ptr<Tool>> makeTools()
     tools.push_back(makeCombTool());
     tools.push_back(makePartTool());
     tools.push_back(makeGrabTool());
+    tools.push_back(makeFingersTool());
     tools.push_back(makeScissorsTool());
     tools.push_back(makeGradientTool());
     tools.push_back(makeFillTool());

@@ -13,6 +13,7 @@ namespace hairpaint::model {
 [[nodiscard]] std::unique_ptr<Tool> makeCombTool();
 [[nodiscard]] std::unique_ptr<Tool> makePartTool();
 [[nodiscard]] std::unique_ptr<Tool> makeGrabTool();
+[[nodiscard]] std::unique_ptr<Tool> makeFingersTool();
 [[nodiscard]] std::unique_ptr<Tool> makeScissorsTool();
 [[nodiscard]] std::unique_ptr<Tool> makeGradientTool();
 [[nodiscard]] std::unique_ptr<Tool> makeFillTool();

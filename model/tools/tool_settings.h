@@ -23,6 +23,20 @@ enum class CombKind : std::uint8_t
     Whorl, ///< Lays it in a spiral around the pointer.
     Hold   ///< As it lies now, with gel.
 };
+/// What fingers do to hair.
+enum class FingerKind : std::uint8_t
+{
+    Puff,   ///< Lift it off the skin.
+    Pinch,  ///< Gather it to the middle of the stroke.
+    Spread, ///< Part it from each other, away from the middle.
+    Smooth  ///< Even it out.
+};
+/// What grabbing takes hold of.
+enum class GrabKind : std::uint8_t
+{
+    Hair,
+    Guides ///< Single hairs, bent node by node; those around follow.
+};
 /// What the scissors follow.
 enum class CutKind : std::uint8_t
 {
@@ -65,6 +79,9 @@ struct ToolSettings
     float partZigzagM = 0.0F; ///< 0..0.01 m: how far it leaves its curve.
     float holdGel = 0.5F;     ///< 0..1: hair that is held as it lies gets at least so much gel,
     float grabGel = 0.3F;     ///< 0..1: and hair that is pulled so much.
+    FingerKind fingers = FingerKind::Puff;
+    float fingerStrength = 0.5F; ///< 0..1 of what a stroke could do.
+    GrabKind grab = GrabKind::Hair;
     float lift = 0.5F;        ///< -1..1: from hair as it lies to upright, or to flat below 0.
     CutKind cut = CutKind::Line;
     bool cutThrough = false;  ///< Cut what the head hides, too.

@@ -8,7 +8,7 @@
 namespace hairpaint::model {
 
 /// The position `alongM` along it; its end where that is nearer. At least one point.
-[[nodiscard]] inline glm::vec3 placeAlong(std::span<const glm::vec3> points, float alongM)
+[[nodiscard]] inline glm::vec3 pointAlong(std::span<const glm::vec3> points, float alongM)
 {
     for (std::size_t i = 1; i < points.size(); ++i) {
         const float segmentM = glm::distance(points[i - 1], points[i]);

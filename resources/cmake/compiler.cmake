@@ -61,7 +61,7 @@ if(HAIRPAINT_SANITIZE)
     endif()
 endif()
 
-# hairpaint_fuzzed(TARGET...): they read bytes that fuzz targets make up, which the fuzzer is to see the ways through.
+# hairpaint_fuzzed(TARGET...): they read bytes that fuzz targets make up, which the fuzzer is to see the branches of.
 function(hairpaint_fuzzed)
     if(HAIRPAINT_FUZZERS)
         foreach(target IN LISTS ARGN)

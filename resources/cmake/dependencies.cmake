@@ -1,4 +1,4 @@
-# Every library the project uses, found in one place. The README's table gives the reason for each.
+# Every library the project uses, all found here. The README's table gives the reason for each.
 
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
@@ -49,6 +49,14 @@ if(NOT HAIRPAINT_TESTS STREQUAL "tsan")
     find_package(nlohmann_json REQUIRED)
     pkg_check_modules(LCMS REQUIRED IMPORTED_TARGET lcms2)
     pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebp libwebpdemux)
+    find_package(meshoptimizer CONFIG REQUIRED)
+    find_package(draco CONFIG REQUIRED)
+    # Its header alone: what it would read files and images with is left out.
+    find_path(TINYGLTF_INCLUDE_DIR tiny_gltf.h REQUIRED)
+    add_library(tinygltf::tinygltf INTERFACE IMPORTED)
+    target_include_directories(tinygltf::tinygltf SYSTEM INTERFACE ${TINYGLTF_INCLUDE_DIR})
+    target_compile_definitions(tinygltf::tinygltf INTERFACE TINYGLTF_NO_FS TINYGLTF_NO_STB_IMAGE
+        TINYGLTF_NO_STB_IMAGE_WRITE TINYGLTF_NO_EXTERNAL_IMAGE)
     # Linux alone has such filters, and without one the helper still keeps what Landlock gives.
     if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
         pkg_check_modules(SECCOMP QUIET IMPORTED_TARGET libseccomp>=2.5)
@@ -80,6 +88,8 @@ hairpaint_library("Little CMS" ${LCMS_VERSION})
 hairpaint_library("libwebp" ${WEBP_libwebp_VERSION})
 hairpaint_library("OpenEXR" ${OpenEXR_VERSION})
 hairpaint_library("Assimp" ${assimp_VERSION})
+hairpaint_library("meshoptimizer" ${meshoptimizer_VERSION})
+hairpaint_library("Draco" ${draco_VERSION})
 hairpaint_library("nlohmann/json" ${nlohmann_json_VERSION})
 hairpaint_library("libseccomp" ${SECCOMP_VERSION})
 hairpaint_library("libzip" ${LIBZIP_VERSION} ${libzip_VERSION})

@@ -8,6 +8,7 @@ HAIRPAINT_PACKAGES=(
     libglm-dev libeigen3-dev libhwy-dev libtbb-dev libnanoflann-dev libexpected-dev libzip-dev zlib1g-dev libdeflate-dev
     libopenexr-dev libopenimageio-dev openimageio-tools libassimp-dev nlohmann-json3-dev libseccomp-dev
     liblcms2-dev libwebp-dev
+    libtinygltf-dev libmeshoptimizer-dev libdraco-dev
     qt6-translations-l10n fonts-inter fonts-noto-core
 )
 HAIRPAINT_TEST_PACKAGES=(xvfb xauth desktop-file-utils appstream shared-mime-info xdg-utils libfile-mimeinfo-perl man-db)

@@ -1,5 +1,5 @@
 # Writes OUTPUT, a C++ file that holds the texts of the SHADERS (a list of paths) as raw strings, and as
-# "constants.glsl" the floats that the C++ header CONSTANTS defines. In place of a line #include "FORMULA" of a shader, for each
+# "constants.glsl" the floats that the C++ header CONSTANTS defines. Instead of a line #include "FORMULA" of a shader, for each
 # of the FORMULAS (paths from the sources' root), stands the text of that file.
 # Run as: cmake -DOUTPUT=... -DROOT=... "-DSHADERS=a;b" -DCONSTANTS=a.h "-DFORMULAS=a.inl;b.inl" -P embed.cmake
 set(text "// Generated from resources/shaders.\n#include \"view/rendering/gl/shader_sources.h\"\n\n")

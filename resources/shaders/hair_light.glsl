@@ -1,5 +1,5 @@
 // Light on a point of a hair: scattered once by the hair itself, many times by the coat, and held back by the hair and
-// the head in its way. view/rendering/light/ says the same, formula by formula, with the sources.
+// the head in its path. view/rendering/light/ says the same, formula by formula, with the sources.
 
 // Of the light and the eye, both seen from the fibre; inclinations are taken from the plane across it.
 struct FibreAngles
@@ -102,11 +102,11 @@ FibreLobes marschner(FibreShape shape, FibreAngles at, vec3 depth, float jitter,
     float toward = 0.5 + 0.5 * at.cosPhi;
     float cosHalf = sqrt(toward);
     float sinSquare = 1.0 - at.cosD * at.cosD;
-    float way = 1.0 + sinSquare * (0.186 + sinSquare * 0.123);
+    float path = 1.0 + sinSquare * (0.186 + sinSquare * 0.123);
     float reflected = meanReflectance(at.cosD);
     float entered = (1.0 - reflected) * (1.0 - reflected) * kCosinePowerPeak;
     FibreLobes lobes;
-    lobes.through = absorbed(depth * way);
+    lobes.through = absorbed(depth * path);
     lobes.r = longitudinal.x * reflectance(at.cosD * cosHalf) * cosHalf * 0.25;
     lobes.tt = lobes.through * (longitudinal.y * entered * eighthPower(0.5 - 0.5 * at.cosPhi));
     lobes.trt = lobes.through * lobes.through * (longitudinal.z * entered * reflected * eighthPower(toward));
@@ -153,7 +153,7 @@ float besideHead(vec3 fromHead, float radiusM, vec3 toward)
 
 struct HairPoint
 {
-    vec3 place;
+    vec3 position;
     vec3 tangent;
     vec3 colour;
     vec3 depth;
@@ -213,9 +213,9 @@ vec3 lightOf(int lobeSet, vec3 toward, vec3 lampColour, HairPoint point, vec3 vi
 
 vec3 hairLight(HairPoint point, float shine, float roughness)
 {
-    vec3 view = eyeWo.xyz - point.place;
+    vec3 view = eyeWo.xyz - point.position;
     view *= inversesqrt(max(dot(view, view), 1e-20));
-    vec3 fromHead = point.place - headWo.xyz;
+    vec3 fromHead = point.position - headWo.xyz;
     vec3 outward = fromHead * inversesqrt(dot(fromHead, fromHead) + 1e-8);
     vec3 normal = normalize(outward * 1.3 - point.tangent * dot(outward, point.tangent));
     float sinO = dot(point.tangent, view);

@@ -1,7 +1,7 @@
 // Skin, or the clay of a display piece, under lamps and surroundings, with a faint sheen.
 // Out: square root of the held light; alpha 1 where there is head.
-in vec3 placeHd;
-in vec3 placeWo;
+in vec3 skinHd;
+in vec3 skinWo;
 in vec3 normalWo;
 in vec4 marks; // Sky, lips, lids, blush.
 in vec4 tint; // Of the scalp, times its cover.
@@ -39,13 +39,13 @@ vec3 noiseGradient(vec3 p)
 vec3 grained(vec3 n, float depth)
 {
     const float kCellsM[2] = float[](0.0016, 0.0007);
-    const float kShares[2] = float[](0.045, 0.09);
-    float pixelM = length(fwidth(placeHd));
+    const float kSlopes[2] = float[](0.045, 0.09);
+    float pixelM = length(fwidth(skinHd));
     vec3 slope = vec3(0.0);
     for (int i = 0; i < 2; ++i) {
         float seen = 1.0 - smoothstep(0.2, 0.5, pixelM / kCellsM[i]);
         if (seen > 0.0)
-            slope += seen * kShares[i] * noiseGradient(placeHd / kCellsM[i]);
+            slope += seen * kSlopes[i] * noiseGradient(skinHd / kCellsM[i]);
     }
     slope = mat3(woFromHd) * slope * depth;
     return normalize(n - (slope - n * dot(slope, n)));
@@ -64,7 +64,7 @@ vec3 openness(float sky, vec3 albedo)
 void main()
 {
     vec3 n = normalize(normalWo);
-    vec3 v = normalize(eyeWo.xyz - placeWo);
+    vec3 v = normalize(eyeWo.xyz - skinWo);
     if (dot(n, v) < 0.0 && !gl_FrontFacing)
         n = -n;
     float scatter = skin[0].w;

@@ -10,8 +10,8 @@ uniform vec4 solidCentreHd;
 uniform vec4 solidSemiAxesM;
 uniform vec4 solidRotation; // Quaternion: x, y, z, w.
 #endif
-out vec3 placeHd;
-out vec3 placeWo;
+out vec3 skinHd;
+out vec3 skinWo;
 out vec3 normalWo;
 out vec4 marks;
 out vec4 tint;
@@ -34,9 +34,9 @@ void main()
     float below = smoothstep(0.0, 1.0, (neckPivotHd.w - positionHd.y) * neckReach.x);
     vec4 turn = normalize(mix(vec4(0.0, 0.0, 0.0, 1.0), neckTurn, below));
     vec4 back = vec4(-turn.xyz, turn.w);
-    vec4 place = woFromHd * vec4(turnedBy(back, positionHd - neckPivotHd.xyz) + neckPivotHd.xyz, 1.0);
-    placeHd = positionHd;
-    placeWo = place.xyz;
+    vec4 standsWo = woFromHd * vec4(turnedBy(back, positionHd - neckPivotHd.xyz) + neckPivotHd.xyz, 1.0);
+    skinHd = positionHd;
+    skinWo = standsWo.xyz;
     normalWo = mat3(woFromHd) * turnedBy(back, normalHd);
     marks = skinMarks;
 #ifdef SOLID
@@ -44,5 +44,5 @@ void main()
 #else
     tint = scalpTint;
 #endif
-    gl_Position = projectionFromWo * place;
+    gl_Position = projectionFromWo * standsWo;
 }

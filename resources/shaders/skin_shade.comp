@@ -9,14 +9,14 @@ layout(r8, binding = 0) writeonly uniform image2D skinShade;
 
 uniform int shadeCell; // Pixels across a cell.
 
-const vec2 kPlaces[5] = vec2[](vec2(0.5), vec2(0.1, 0.1), vec2(0.9, 0.1), vec2(0.1, 0.9), vec2(0.9, 0.9));
+const vec2 kCellPoints[5] = vec2[](vec2(0.5), vec2(0.1, 0.1), vec2(0.9, 0.1), vec2(0.1, 0.9), vec2(0.9, 0.9));
 
 // Light that comes through the hair. What is blended between neighbours is the light, not the hair: a plait holds so much
 // of it that the least part of its voxel would be dark, as a stub of shade beside and below it.
-float lightThrough(sampler3D opacity, vec3 place, float strength)
+float lightThrough(sampler3D opacity, vec3 position, float strength)
 {
     ivec3 size = textureSize(opacity, 0);
-    vec3 at = place * vec3(size) - 0.5;
+    vec3 at = position * vec3(size) - 0.5;
     ivec3 low = ivec3(floor(at));
     vec3 part = at - vec3(low);
     float light = 0.0;
@@ -40,9 +40,9 @@ void main()
     vec2 at = vec2(0.0);
     float depth = 1.0;
     for (int i = 4; i >= 0; --i) {
-        vec2 place = min(floor((vec2(cell) + kPlaces[i]) * float(shadeCell) * target.zw), target.xy - 1.0);
-        float here = texelFetch(headDepth, ivec2(place), 0).x;
-        at = here < 1.0 ? place + 0.5 : at;
+        vec2 position = min(floor((vec2(cell) + kCellPoints[i]) * float(shadeCell) * target.zw), target.xy - 1.0);
+        float here = texelFetch(headDepth, ivec2(position), 0).x;
+        at = here < 1.0 ? position + 0.5 : at;
         depth = here < 1.0 ? here : depth;
     }
     vec4 wo = vec4(unprojected(at, depth), 1.0);

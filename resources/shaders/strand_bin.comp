@@ -43,19 +43,19 @@ void main()
         return;
     ivec2 first = ivec2(clamp(low, vec2(0.0), target.xy - 1.0) / tileSp);
     ivec2 last = ivec2(clamp(high, vec2(0.0), target.xy - 1.0) / tileSp);
-    vec2 way = to - from;
-    bool steep = abs(way.y) > abs(way.x);
+    vec2 span = to - from;
+    bool steep = abs(span.y) > abs(span.x);
     float mainFrom = steep ? from.y : from.x;
-    float mainLength = steep ? way.y : way.x;
+    float mainLength = steep ? span.y : span.x;
     float perMain = abs(mainLength) > 1e-3 ? 1.0 / mainLength : 0.0;
     float depth = packedDepthOf(a);
     float depthRise = packedDepthOf(b) - depth;
     // Half a tile's diagonal along each axis, as far as the segment's side reaches.
-    float side = (abs(way.x) + abs(way.y)) * (0.5 * tileSp + reach);
+    float side = (abs(span.x) + abs(span.y)) * (0.5 * tileSp + reach);
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x) {
             vec2 aside = (vec2(x, y) + 0.5) * tileSp - from;
-            if (abs(aside.x * way.y - aside.y * way.x) > side)
+            if (abs(aside.x * span.y - aside.y * span.x) > side)
                 continue;
             // Where it is in the middle of what lies in the tile.
             float edge = float(steep ? y : x) * tileSp;

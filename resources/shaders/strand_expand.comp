@@ -129,6 +129,8 @@ void main()
     vec3 p2 = node(slot, 1);
     vec3 p0 = beyond(p1, p2);
     vec3 p3 = nodes > 2 ? node(slot, 2) : beyond(p2, p1);
+    if ((styles[slot].braid & kTautBit) != 0u)
+        p0 = beyondBent(p1, p2, p3);
     vec3 lastPoint = p1;
     vec3 lastTangent = normalize(p2 - p0);
     vec3 reference = across(rootTangent, lastTangent);
@@ -171,12 +173,14 @@ void main()
             vec3 offset = braidedOffsetAt(slot, braidFraction(s, braidStart), metres) * min(gathered, 1.0);
             point += first * offset.x + tangent * offset.y + cross(first, tangent) * offset.z;
         } else if (isCurled) {
+            float curled = curledFraction(s, braidStart);
             vec3 offset;
             if (isCoiled != 0)
-                offset = coilOffset(CoiledHair(turns, radius, phase, styles[slot].variation, styles[slot].lengthM),
-                                    CoilTraits(coil.x, coil.y, coil.z, coil.w, uncoil), s);
+                offset = coilOffset(CoiledHair(turns, radius, phase, styles[slot].variation,
+                                               styles[slot].lengthM * (1.0 - braidStart)),
+                                    CoilTraits(coil.x, coil.y, coil.z, coil.w, uncoil), curled);
             else
-                offset = curlOffset(phase + 2.0 * kPi * turns * s) * curlRadius(radius, s);
+                offset = curlOffset(phase + 2.0 * kPi * turns * curled) * curlRadius(radius, curled);
             point += reference * offset.x + cross(tangent, reference) * offset.y + tangent * offset.z;
         }
         if (isFrizzy) {

@@ -2,6 +2,7 @@
 
 // Skeletons: [slots / kStrandLanes][nodes][3][kStrandLanes] floats.
 const uint kStrandLanes = 16u;
+const uint kTautBit = 0x8000u;
 
 // A strand that is drawn, and where its points begin.
 struct DrawnStrand
@@ -19,7 +20,7 @@ struct PackedStyle
     uint rootColour;
     uint tipColour;
     float width;
-    uint braid; // sim::BraidKind; bits 8 and 9 the wisp.
+    uint braid; // sim::BraidKind; bits 8 and 9 the wisp; kTautBit: see sim::StrandStyle::isTaut().
     float braidRadiusM;
     float braidStart;
     float braidTurns;

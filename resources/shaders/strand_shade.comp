@@ -46,10 +46,10 @@ vec3 colourFromBytes(uint bits)
 }
 
 // Before a point between the columns around, in the one with the least.
-float inColumnWithLeast(vec3 place)
+float inColumnWithLeast(vec3 position)
 {
     int side = textureSize(opacityToEye, 0).x;
-    vec3 at = clamp(place * float(side) - 0.5, 0.0, float(side) - 1.001);
+    vec3 at = clamp(position * float(side) - 0.5, 0.0, float(side) - 1.001);
     ivec3 low = ivec3(at);
     float least = 1e9;
     for (int column = 0; column < 4; ++column) {
@@ -79,7 +79,7 @@ void main()
 
     vec4 clip = projectionFromWo * vec4(position, 1.0);
     vec2 across = clip.xy / max(clip.w, kNearestDrawnM);
-    vec2 placeSp = (across * 0.5 + 0.5) * target.xy;
+    vec2 positionSp = (across * 0.5 + 0.5) * target.xy;
 
     // Light that reaches this point through the other hair: from the light, and from all around on the eye's side.
     // A little before this point, so that a strand does not shade itself.
@@ -124,6 +124,6 @@ void main()
     vec3 lit = hairLight(point, material.x, material.y);
 
     uint depth = uint(clamp(depthOf(clip.w), 0.0, 65535.0));
-    projected[firstProjected + i] = uvec4(floatBitsToUint(placeSp.x), floatBitsToUint(placeSp.y), packedDepth(depth, width),
+    projected[firstProjected + i] = uvec4(floatBitsToUint(positionSp.x), floatBitsToUint(positionSp.y), packedDepth(depth, width),
                                           packedLight(lit, i == last));
 }

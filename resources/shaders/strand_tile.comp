@@ -26,7 +26,7 @@ shared uint nearest;
 shared uint farthest;
 shared uint open;
 // Segments in their main direction: where that begins and ends, where they are across it and how they go on;
-shared vec4 ways[kLanes];
+shared vec4 lines[kLanes];
 shared vec4 widthsAndDepths[kLanes]; // width, depth and how they go on;
 shared vec4 lights[kLanes];          // light; w: 1 where the main direction is up;
 shared vec4 lightSteps[kLanes];
@@ -126,9 +126,9 @@ void takeSegment(uint number, uint lane)
         to = to.yx;
     }
     if (from.x > to.x) {
-        vec2 place = from;
+        vec2 position = from;
         from = to;
-        to = place;
+        to = position;
         uvec4 end = a;
         a = b;
         b = end;
@@ -137,7 +137,7 @@ void takeSegment(uint number, uint lane)
     float width = packedWidthOf(a);
     float depth = packedDepthOf(a);
     vec3 light = packedLightOf(a);
-    ways[lane] = vec4(from.x, to.x, from.y, (to.y - from.y) * inverse);
+    lines[lane] = vec4(from.x, to.x, from.y, (to.y - from.y) * inverse);
     widthsAndDepths[lane] = vec4(width, (packedWidthOf(b) - width) * inverse, depth, (packedDepthOf(b) - depth) * inverse);
     lights[lane] = vec4(light, steep ? 1.0 : 0.0);
     lightSteps[lane] = vec4((packedLightOf(b) - light) * inverse, 0.0);
@@ -174,13 +174,13 @@ void main()
         if (open == 0u)
             break;
         for (uint j = 0u; j < held && left >= opaque; ++j) {
-            vec4 way = ways[j];
+            vec4 line = lines[j];
             bool steep = lights[j].w > 0.5;
             float main = steep ? middle.y : middle.x;
-            if (main < way.x || main >= way.y)
+            if (main < line.x || main >= line.y)
                 continue;
-            float along = main - way.x;
-            float aside = abs((steep ? middle.x : middle.y) - (way.z + way.w * along));
+            float along = main - line.x;
+            float aside = abs((steep ? middle.x : middle.y) - (line.z + line.w * along));
             vec4 own = widthsAndDepths[j];
             float width = own.x + own.y * along;
             float cover = min(width, 1.0) * clamp(0.5 * (max(width, 1.0) + 1.0) - aside, 0.0, 1.0);

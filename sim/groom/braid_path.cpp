@@ -118,7 +118,7 @@ float braidBeginsAboveM(const GroupSettings& settings, BraidKind kind, float len
     return kBraidFirstFraction * braidGirthM(settings, kind, lengthM);
 }
 
-void applyBraid(const GroupSettings& settings, BraidKind kind, const RootChance& chance, float scalpM,
+void applyBraid(const GroupSettings& settings, BraidKind kind, const WispChance& chance, float scalpM,
                 float centreLengthM, StrandStyle& style)
 {
     style.lengthM = scalpM + centreLengthM;

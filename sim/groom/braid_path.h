@@ -26,7 +26,7 @@ namespace hairpaint::sim {
 [[nodiscard]] float braidBeginsAboveM(const GroupSettings& settings, BraidKind kind, float lengthM);
 
 /// Makes a style that of a hair in a braid, whose path is `scalpM` on the scalp and `centreLengthM` along its centre.
-void applyBraid(const GroupSettings& settings, BraidKind kind, const RootChance& chance, float scalpM,
+void applyBraid(const GroupSettings& settings, BraidKind kind, const WispChance& chance, float scalpM,
                 float centreLengthM, StrandStyle& style);
 
 } // namespace hairpaint::sim

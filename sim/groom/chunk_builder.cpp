@@ -3,6 +3,8 @@
 
 #include "sim/groom/braid_path.h"
 #include "sim/groom/clump_kernel.h"
+#include "sim/groom/gathered_writer.h"
+#include "sim/groom/gathering.h"
 #include "sim/groom/rest_shape.h"
 #include "sim/groom/strand_style.h"
 
@@ -27,7 +29,9 @@ public:
         : m_inputs(inputs), m_chunk(chunk), m_passed(passed),
           m_firstSlot(static_cast<std::uint32_t>(chunkIndex * kChunkSlots)), m_blocks(inputs.settings.nodesPerHair),
           m_nodes(static_cast<std::size_t>(inputs.settings.nodesPerHair)),
-          m_lay(inputs.lay, inputs.settings.nodesPerHair)
+          m_lay(inputs.lay, inputs.settings.nodesPerHair), m_look(inputs.settings, inputs.maps),
+          m_varies(!inputs.hairline.isOff() || inputs.settings.variation != VariationSettings{}),
+          m_gathered(inputs, chunkIndex, chunk)
     {}
 
     void write(std::uint32_t slot, float density)
@@ -35,22 +39,39 @@ public:
         const RootSet& roots = m_inputs.roots;
         const RootChance chance = chanceOf(roots.seed, roots.rankOfSlot[slot]);
         const RootValues values = valuesAt(m_inputs.maps, roots.uv[slot]);
-        const HairVariation own = ownOf(slot);
-        StrandStyle style = styleOf(m_inputs.settings, values, chance, own, roots.threshold(slot) / density);
+        Laid& hair = m_laid[m_waiting];
+        hair.slot = slot;
+        if (m_varies)
+            hair.own = ownOf(slot);
+        StrandStyle& style = hair.style;
+        style = styleOf(m_inputs.settings, values, chance, hair.own, roots.threshold(slot) / density);
+        m_look.give(roots.uv[slot], hair.own, style);
         const bool isDrawn = style.lengthM >= kShortestDrawnM;
         if (!isDrawn)
             style.detail = StrandStyle{}.detail;
-        if (isDrawn && m_inputs.kinds[slot] != 0 && own.babyM == 0.0F) {
+        if (isDrawn && m_inputs.gathering.numberOf(slot) != 0 && hair.own.babyM == 0.0F) {
+            m_passed.put(slot, {});
+            m_gathered.write(slot, chance, values, hair.own, style);
+            return;
+        }
+        if (isDrawn && m_inputs.kinds[slot] != 0 && hair.own.babyM == 0.0F) {
             const std::uint32_t centre = m_inputs.braids.centreOf(roots, slot, m_inputs.kinds[slot]);
             if (centre != kNoCentre)
-                return braid(slot, style, chance, centre);
+                return braid(slot, style, centre);
         }
+        hair.gathered = gatheredBy(values.curl);
         m_lay.add(layRootOf(m_inputs.settings, roots, slot, chance,
                             liftOf(m_inputs.settings, style.curlRadiusM, style.lengthM)),
                   style.lengthM);
-        m_laid[m_waiting++] = {.slot = slot, .style = style, .own = own, .gathered = gatheredBy(values.curl)};
+        ++m_waiting;
         if (m_lay.isFull())
             finish();
+    }
+
+    void finishAll()
+    {
+        finish();
+        m_gathered.finish();
     }
 
     void finish()
@@ -81,19 +102,25 @@ public:
         m_clump.locks = locks;
         if (anyClumps)
             clumpLanes(m_clump);
+        const bool isBlock = fillsBlock();
         for (std::size_t i = 0; i < m_waiting; ++i) {
             Laid& hair = m_laid[i];
             const float clump = m_clump.clump[i];
             // Hairs that lie together curl together: a ringlet is one curl of many hairs.
             hair.style.phase += (hair.basisPhase - hair.style.phase) * (hair.isInStep ? 1.0F : clump);
-            varyCurl(hair.isInStep || clump > kKeepsStep ? variationOf(variation, roots.seed, hair.basisRank)
-                                                         : hair.own,
-                     hair.style);
-            if (hair.own.isTurned())
+            if (m_varies)
+                varyCurl(hair.isInStep || clump > kKeepsStep ? variationOf(variation, roots.seed, hair.basisRank)
+                                                             : hair.own,
+                         hair.style);
+            if (m_varies && hair.own.isTurned())
                 turnLane(hair.own, clump, roots.frame(hair.slot), hair.style.lengthM, m_clump.nodes,
                          nodesHd.data() + i);
-            store(hair.slot, hair.style, {.clump = clump, .leader = hair.leader}, nodesHd.data() + i);
+            store(hair.slot, hair.style, {.clump = clump, .leader = hair.leader});
+            if (!isBlock)
+                storeLane(hair.slot, nodesHd.data() + i);
         }
+        if (isBlock)
+            std::ranges::copy(nodesHd, m_chunk.restPositions.data() + m_blocks.index(m_laid[0].slot - m_firstSlot, 0));
         m_clump.clump.fill(0.0F);
         m_lay.clear();
         m_waiting = 0;
@@ -102,15 +129,15 @@ public:
     /// Of a hair that lies as it did.
     void look(std::uint32_t slot)
     {
-        const RootSet& roots = m_inputs.roots;
-        setLook(m_inputs.settings, lookAt(m_inputs.maps, roots.uv[slot]), ownOf(slot),
-                m_chunk.styles[slot - m_firstSlot]);
+        m_look.give(m_inputs.roots.uv[slot], m_varies ? ownOf(slot) : HairVariation{},
+                    m_chunk.styles[slot - m_firstSlot]);
     }
 
     void clear(std::uint32_t slot)
     {
         std::ranges::fill(std::span(m_buffer).first(m_nodes), glm::vec3(0.0F));
         store(slot, {}, {});
+        storeBuffer(slot);
         m_passed.put(slot, {});
         m_chunk.hairs.reset(slot - m_firstSlot);
         m_chunk.drawn.reset(slot - m_firstSlot);
@@ -121,7 +148,7 @@ private:
     {
         std::uint32_t slot = 0;
         StrandStyle style;
-        HairVariation own;
+        HairVariation own;           ///< Neutral where no hair varies.
         float gathered = 0.0F;       ///< Clump that its curl gives it.
         std::uint32_t leader = 0;    ///< Of its lock: a basis hair.
         bool isInStep = false;       ///< Its curl is its lock's, however far it clumps.
@@ -146,7 +173,7 @@ private:
         return own;
     }
 
-    void braid(std::uint32_t slot, StrandStyle style, const RootChance& chance, std::uint32_t centre)
+    void braid(std::uint32_t slot, StrandStyle style, std::uint32_t centre)
     {
         const RootSet& roots = m_inputs.roots;
         const float centreLengthM = m_inputs.basisLengthM[centre];
@@ -154,9 +181,11 @@ private:
         const float scalpM = braidRest(rootFrame(roots, slot), rootFrame(roots, roots.basisSlot[centre]),
                                        braidBeginsAboveM(m_inputs.settings, kind, centreLengthM), centreLengthM,
                                        std::span(m_buffer).first(m_nodes));
-        applyBraid(m_inputs.settings, kind, chance, scalpM, centreLengthM, style);
+        applyBraid(m_inputs.settings, kind, wispChanceOf(roots.seed, roots.rankOfSlot[slot]), scalpM, centreLengthM,
+                   style);
         m_passed.put(slot, {});
         store(slot, style, {.centre = centre, .leader = roots.neighbours[slot][0]});
+        storeBuffer(slot);
     }
 
     [[nodiscard]] float gatheredBy(float curl) const
@@ -201,6 +230,8 @@ private:
         const std::uint32_t leader = m_inputs.locks.leaderOf(roots, slot, m_inputs.settings.locks.ragged);
         const std::uint32_t leaderSlot = roots.basisSlot[leader];
         m_laid[hair].leader = leader;
+        m_laid[hair].isInStep = false;
+        m_laid[hair].basisPhase = 0.0F;
         if (leaderSlot == slot || m_laid[hair].own.isFlyaway)
             return false;
         float clump = m_inputs.maps[MapSlot::Clump].scalar(roots.uv[slot]);
@@ -223,11 +254,22 @@ private:
         return clump > 0.0F;
     }
 
-    /// `nodesHd`: a lane of [nodes][3][kLanes]; null for the buffer's.
-    void store(std::uint32_t slot, const StrandStyle& style, const Followed& followed, const float* nodesHd = nullptr)
+    /// Whether the hairs that wait are a block of the chunk, in its order: slots rise from call to call.
+    [[nodiscard]] bool fillsBlock() const
+    {
+        return m_waiting == kLanes && m_laid.front().slot % kLanes == 0 &&
+               m_laid.back().slot - m_laid.front().slot == kLanes - 1;
+    }
+
+    /// All but the nodes.
+    void store(std::uint32_t slot, const StrandStyle& style, const Followed& followed)
     {
         const std::size_t local = slot - m_firstSlot;
         m_chunk.hairs.set(local);
+        m_chunk.gathered.reset(local);
+        m_chunk.tailed.reset(local);
+        if (!m_chunk.followed.empty())
+            m_chunk.followed[local] = {};
         m_chunk.drawn.set(local, style.lengthM >= kShortestDrawnM);
         m_chunk.styles[local] = style;
         m_chunk.clump[local] = followed.clump;
@@ -235,11 +277,17 @@ private:
         if (!m_inputs.locks.isOfBasis())
             m_chunk.lockLeader[local] = followed.leader;
         m_chunk.segmentLengths[local] = style.lengthM / static_cast<float>(m_nodes - 1);
-        if (nodesHd == nullptr) {
-            m_blocks.write(m_chunk.restPositions, local, std::span(m_buffer).first(m_nodes));
-            return;
-        }
-        float* to = m_chunk.restPositions.data() + m_blocks.index(local, 0);
+    }
+
+    void storeBuffer(std::uint32_t slot)
+    {
+        m_blocks.write(m_chunk.restPositions, slot - m_firstSlot, std::span(m_buffer).first(m_nodes));
+    }
+
+    /// A lane of [nodes][3][kLanes].
+    void storeLane(std::uint32_t slot, const float* nodesHd)
+    {
+        float* to = m_chunk.restPositions.data() + m_blocks.index(slot - m_firstSlot, 0);
         for (std::size_t row = 0; row < m_nodes * 3; ++row)
             to[row * kLanes] = nodesHd[row * kLanes];
     }
@@ -251,11 +299,14 @@ private:
     StrandBlocks m_blocks;
     std::size_t m_nodes;
     Lay m_lay;
+    HairLook m_look;
+    bool m_varies;
     std::array<Laid, kLanes> m_laid; ///< That m_lay holds, in its order.
     std::size_t m_waiting = 0;
     std::array<glm::vec3, kMostNodes> m_buffer{};
     ClumpTask m_clump; ///< Of the hairs that m_lay holds; no clump between batches.
     std::array<float, std::size_t{kMostNodes} * StrandBlocks::kNodeStride> m_basisHd{};
+    GatheredWriter m_gathered;
 };
 
 std::shared_ptr<StrandChunk> emptyChunk(int nodes, bool hasLocks)
@@ -333,8 +384,10 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
         else if (chunk->hairs[local])
             writer.clear(slot);
     });
-    writer.finish();
+    writer.finishAll();
     findLeastDetails(*chunk);
+    if (chunk->gathered.none())
+        chunk->followed.clear();
     return chunk;
 }
 

@@ -16,6 +16,8 @@
 
 namespace hairpaint::sim {
 
+class Gathering;
+
 /// What evaluating a hair reads. Immutable while chunks are built, on any number of threads.
 struct ChunkInputs
 {
@@ -29,6 +31,7 @@ struct ChunkInputs
     std::span<const float> basisLengthM; ///< [basis hairs]
     const LockPartition& locks;
     const Hairline& hairline;
+    const Gathering& gathering;
 };
 
 /// The chunk with the hairs of `dirty` evaluated anew and those of its look coloured anew: `before` itself where none

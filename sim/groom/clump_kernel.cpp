@@ -35,7 +35,7 @@ struct LockShape
     Lanes3 axis{0.0F, 0.0F, 0.0F};
 
     /// A node at `alongM` of hairs drawn to `beside` by the fraction `drawn` of their distance `own` - `beside`.
-    [[nodiscard]] HWY_INLINE Lanes3 placed(const Lanes3& own, const Lanes3& toBasis, Lanes drawn, Lanes alongM) const
+    [[nodiscard]] HWY_INLINE Lanes3 drawnTo(const Lanes3& own, const Lanes3& toBasis, Lanes drawn, Lanes alongM) const
     {
         const Lanes3 beside = own + toBasis;
         Lanes3 kept = toBasis * (drawn - 1.0F);
@@ -115,8 +115,8 @@ HWY_INLINE void clumpFrom(ClumpTask& task, std::size_t lane)
         const float s = static_cast<float>(i) / static_cast<float>(last);
         Lanes3 drawn = own + toBasis * (clump * (s * (2.0F - s)));
         if (!shape.isPlain)
-            drawn = shape.placed(own, toBasis, clump * (s * (2.0F - s) * (1.0F - shape.parting * partedAt(s))),
-                                 segment * static_cast<float>(i));
+            drawn = shape.drawnTo(own, toBasis, clump * (s * (2.0F - s) * (1.0F - shape.parting * partedAt(s))),
+                                  segment * static_cast<float>(i));
         // Should a node fall on its parent, it goes where it was headed.
         const Lanes3 headed = own - parentBefore;
         parentBefore = own;

@@ -44,6 +44,12 @@ CURVE_FUNCTION Vec3 beyond(Vec3 end, Vec3 before)
     return end * 2.0F - before;
 }
 
+// The same where the curve goes on bending: of hair that lies taut on a round head.
+CURVE_FUNCTION Vec3 beyondBent(Vec3 end, Vec3 before, Vec3 beforeThat)
+{
+    return (end - before) * 3.0F + beforeThat;
+}
+
 // A derivative at unit length, or the tangent before it where it has no direction.
 CURVE_FUNCTION Vec3 tangentOf(Vec3 derivative, Vec3 lastTangent)
 {
@@ -171,6 +177,13 @@ CURVE_FUNCTION Num braidPathFraction(Flag isTwist, Flag isLoc)
 CURVE_FUNCTION Num braidFraction(Num s, Num start)
 {
     return clamped((s - start) / most(1.0F - start, Num(1e-6F)), 0.0F, 1.0F);
+}
+
+// Where a fraction s lies in the part that curls, which begins at `start`: behind the ring of gathered hair, else at the
+// root, where it is s itself.
+CURVE_FUNCTION Num curledFraction(Num s, Num start)
+{
+    return braidFraction(s, start);
 }
 
 // A braid's length, from its derivative's length by node.

@@ -103,7 +103,7 @@ GroomBuilder::Report GroomBuilder::update(const GroomInput& input)
         candidatesLeft -= count;
         weightLeft -= count * weight;
         m_state->findRoots(group, input, count, static_cast<std::size_t>(std::max(groupInput.settings.basisHairs, 1)));
-        GroupBuilder::HeadLay head{.natural = input.naturalDirection, .band = nullptr};
+        GroupBuilder::HeadLay head{.natural = input.naturalDirection, .band = nullptr, .distances = input.distances};
         if (!isUpright(MapSampler(groupInput.maps[MapSlot::Direction])))
             head.band = m_state->bandOf(input.skin);
         const GroupBuilder::Result result = group.builder.update(groupInput, group.roots, head, limit);

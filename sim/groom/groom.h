@@ -36,15 +36,29 @@ struct StrandStyle
     float detail = 2.0F; ///< threshold/density, 0..1: drawn at level of detail f where detail < f; 2: never drawn.
     float braidRadiusM = 0.0F; ///< r of equation 3.
     /// Fraction of the skeleton, 0..1, where the braid begins: node braidStart * (nodes - 1) stands on the centre's
-    /// root, those before it lie on the scalp, those after it follow the centre's skeleton, evenly to its tip.
+    /// root, those before it lie on the scalp, those after it follow the centre's skeleton, evenly to its tip. Of hair
+    /// that is gathered the fraction where its ring is; before it no hair curls.
     float braidStart = 0.0F;
     float braidTurns = 0.0F;    ///< Of equation 3, from there to the tip.
     glm::vec2 wispOffset{0.0F}; ///< Position inside the wisp, in units of the wisp's radius.
     float variation = 0.0F;     ///< -1..1, this hair's own lightness.
     BraidKind braid = BraidKind::None;
-    std::uint8_t wisp = 0;                                        ///< 0..2
+    std::uint8_t wisp = 0;                                        ///< 0..2, see wispNumber(); and kTautBit.
     std::uint16_t gloss = ruleOf(MapSlot::Gloss).defaultValue[0]; ///< The gloss map's: 65535 is 1.
     float frizzM = 0.0F; ///< How far it strays from its course at the tip, at most; a short one less.
+
+    static constexpr std::uint8_t kTautBit = 0x80;
+    [[nodiscard]] std::uint8_t wispNumber() const { return wisp & 3U; }
+    /// It begins taut on the head, so that its curve bends from the root on.
+    [[nodiscard]] bool isTaut() const { return (wisp & kTautBit) != 0; }
+};
+
+/// Basis hairs that a hair follows, and how much.
+struct Followed
+{
+    std::array<std::uint32_t, RootSet::kNeighbours> basis{};
+    std::array<float, RootSet::kNeighbours> weights{}; ///< Sum to 1; all 0 where there is none to follow.
+    friend bool operator==(const Followed&, const Followed&) = default;
 };
 
 /// 1024 slots. Hd, m.
@@ -64,6 +78,10 @@ struct StrandChunk
     std::vector<std::uint32_t> lockLeader;
     /// The least StrandStyle::detail in a block: at a coarser level of detail nothing of it is drawn.
     std::array<float, kBlocksPerChunk> leastDetail{};
+    std::bitset<kChunkSlots> gathered; ///< Those that lie taut to a tie: their segmentLengths are 0,
+    std::bitset<kChunkSlots> tailed;   ///< and of them those whose nodes from the ring on are moved, see Groom::tails.
+    /// [kChunkSlots] whom each follows, where not the basis hairs that are nearest on the skin; else empty.
+    std::vector<Followed> followed;
 };
 inline constexpr std::uint32_t kNoCentre = 0xFFFFFFFFU;
 
@@ -141,6 +159,10 @@ struct Groom
     std::size_t drawnCount = 0; ///< Also the number exported.
     std::size_t basisCount = 0; ///< Basis hairs that are wanted.
     HairLimit limit = HairLimit::None;
+    /// What hangs from the ties, or null: a groom of as many nodes as there are from the ring on. Its strands are those
+    /// of the same slots, its solved hairs those of the same basis hairs, and both begin in the ring.
+    std::shared_ptr<const Groom> tails;
+    bool isOfTails = false; ///< It is such a groom: where its strands begin may move on the head.
 
     [[nodiscard]] StrandBlocks blocks() const { return StrandBlocks(nodes); }
     [[nodiscard]] bool isDrawn(std::size_t slot) const
@@ -153,7 +175,7 @@ struct Groom
     {
         return chunks[chunkOf(slot)]->styles[inChunk(slot)];
     }
-    /// Which strand of a StrandFrame's positions a slot of a placed chunk is.
+    /// Which strand of a StrandFrame's positions a slot of a positioned chunk is.
     [[nodiscard]] std::size_t frameStrand(std::size_t slot) const
     {
         return static_cast<std::size_t>(packedChunk[chunkOf(slot)]) * kChunkSlots + inChunk(slot);

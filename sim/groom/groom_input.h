@@ -3,6 +3,7 @@
 
 #include "sim/groom/group_settings.h"
 #include "sim/groom/map_slot.h"
+#include "sim/groom/tie.h"
 #include "sim/skin/distance_grid.h"
 #include "sim/skin/ellipsoid.h"
 #include "sim/skin/neck.h"
@@ -23,6 +24,10 @@ struct GroomInput
         bool visible = true;
         GroupSettings settings;
         GroupMaps maps;
+        std::vector<Tie> ties; ///< By rising number.
+        /// One channel, read at the nearest texel: the number of the tie that gathers the hair of a root; 0, or a
+        /// number that no tie has: loose. Null: none is gathered.
+        MapRaster gathered;
     };
 
     std::shared_ptr<const Skin> skin;

@@ -8,6 +8,7 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr float kSameRootM = 1e-5F;
+constexpr float kMovedTieM = 0.05F; ///< A tail whose ring moves further in one go is another one.
 
 bool sameRange(const std::vector<float>& a, const std::vector<float>& b, std::size_t begin, std::size_t count)
 {
@@ -68,7 +69,8 @@ StrandChange changeOf(const Groom& before, std::int32_t origin, const Groom& aft
     for (std::size_t node = 0; node < static_cast<std::size_t>(after.nodes); ++node) {
         const glm::vec3 a = before.blocks().node(old.restPositions, was, node);
         const glm::vec3 b = after.blocks().node(now.restPositions, index, node);
-        if (node == 0 && glm::any(glm::greaterThan(glm::abs(a - b), glm::vec3(kSameRootM))))
+        if (node == 0 &&
+            glm::any(glm::greaterThan(glm::abs(a - b), glm::vec3(after.isOfTails ? kMovedTieM : kSameRootM))))
             return StrandChange::Arrived;
         same = same && a == b;
     }

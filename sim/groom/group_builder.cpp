@@ -62,7 +62,8 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
     const bool allDiffer = !m_groom || roots != m_roots || !sameFor(Affects::Hairs, m_groom->settings, settings) ||
                            head.natural != m_head.natural;
     Result result{m_groom, SlotSet(roots->count())};
-    if (!allDiffer && settings == m_groom->settings && input.maps == m_input.maps &&
+    const Gathering::Inputs gathered{input.ties, input.gathered, head.distances, settings};
+    if (!allDiffer && m_gathering.isFor(gathered) && settings == m_groom->settings && input.maps == m_input.maps &&
         input.visible == m_groom->visible && limit == m_groom->limit)
         return result;
 
@@ -82,6 +83,7 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
         m_changes->find(m_input.maps, input.maps, dirty);
         groom = std::make_shared<Groom>(*m_groom);
     }
+    m_gathering.update(gathered, *m_changes, dirty.hairs);
     updateLay(input, head, dirty);
     groom->visible = input.visible;
     groom->settings = settings;
@@ -99,11 +101,13 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
         dirty.hairs.forEach(
             [&](std::uint32_t slot) { dirty.basis.insert(roots->basisSlot[roots->neighbours[slot][0]]); });
         updateBasis(settings, maps, lay, dirty.basis);
+        m_gathering.updateBasis({settings, maps, m_kinds, m_basisLengthM, m_locks}, dirty.basis, dirty.hairs);
         updateBraids(settings, dirty.hairs);
         updateClumped(settings, maps[MapSlot::Clump], dirty.hairs);
         rebuildChunks(settings, maps, lay, dirty, *groom, result.rebuilt);
         updateWanted(*groom);
     }
+    m_gathering.makeTails(m_groom.get(), *groom);
     m_input = input;
     m_head = head;
     m_groom = groom;
@@ -157,6 +161,7 @@ void GroupBuilder::startOver(const GroomInput::Group& input, const std::shared_p
         m_changes.emplace(roots);
         m_changes->prepare(input.maps);
     }
+    m_gathering.startOver(roots);
     const std::size_t basisCount = roots->basisSlot.size();
     m_groom.reset();
     m_basisLengthM.assign(basisCount, 0.0F);
@@ -270,7 +275,7 @@ void GroupBuilder::updateBraids(const GroupSettings& settings, SlotSet& dirty)
     const RootSet& roots = *m_roots;
     std::vector<std::uint8_t> kindOfBasis(roots.basisSlot.size());
     for (std::size_t i = 0; i < kindOfBasis.size(); ++i)
-        kindOfBasis[i] = m_kinds[roots.basisSlot[i]];
+        kindOfBasis[i] = m_gathering.numberOf(roots.basisSlot[i]) == 0 ? m_kinds[roots.basisSlot[i]] : std::uint8_t{0};
     const bool sameLayout = kindOfBasis == m_kindOfBasis;
     const auto moved = [&](std::uint32_t centre) { return m_basisChanged[centre] != 0; };
     if (sameLayout && std::none_of(m_braids.centres().begin(), m_braids.centres().end(), moved))
@@ -345,8 +350,9 @@ void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSampler
     for (std::size_t chunk = 0; chunk < dirty.hairs.chunkCount(); ++chunk)
         if (!dirty.hairs.chunkEmpty(chunk) || !dirty.look.chunkEmpty(chunk))
             stale.push_back(chunk);
-    const ChunkInputs inputs{settings, *m_roots, maps,           lay,     m_newBasis ? *m_newBasis : *m_basis,
-                             m_braids, m_kinds,  m_basisLengthM, m_locks, m_hairline};
+    const ChunkInputs inputs{settings,   *m_roots, maps,           lay,     m_newBasis ? *m_newBasis : *m_basis,
+                             m_braids,   m_kinds,  m_basisLengthM, m_locks, m_hairline,
+                             m_gathering};
     const std::vector<std::shared_ptr<const StrandChunk>> before = groom.chunks;
     parallelFor(stale.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
@@ -360,7 +366,7 @@ void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSampler
             continue;
         // Most often they follow whom they followed.
         if (was == nullptr || is == nullptr || was->drawn != is->drawn || was->braidCentre != is->braidCentre ||
-            was->lockLeader != is->lockLeader) {
+            was->lockLeader != is->lockLeader || was->gathered != is->gathered) {
             // Subtracting modulo 2^32: one of -1 takes a dependent away.
             countDependents(was, i, rebuilt, ~0U);
             countDependents(is, i, rebuilt, 1U);
@@ -381,7 +387,7 @@ void GroupBuilder::countDependents(const StrandChunk* chunk, std::size_t chunkIn
         return;
     slots.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
         const std::size_t local = inChunk(slot);
-        if (!chunk->drawn[local])
+        if (!chunk->drawn[local] || chunk->gathered[local])
             return;
         if (chunk->braidCentre[local] != kNoCentre) {
             m_drawnDependents[chunk->braidCentre[local]] += one;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/groom/braid_layout.h"
+#include "sim/groom/gathering.h"
 #include "sim/groom/groom.h"
 #include "sim/groom/hairline.h"
 #include "sim/groom/lay.h"
@@ -31,6 +32,7 @@ public:
     {
         MapRaster natural;
         std::shared_ptr<const SkinBand> band;
+        std::shared_ptr<const DistanceGrid> distances; ///< Null: the skin itself tells how far it is.
     };
     [[nodiscard]] Result update(const GroomInput::Group& input, const std::shared_ptr<const RootSet>& roots,
                                 const HeadLay& head, HairLimit limit);
@@ -81,6 +83,7 @@ private:
     BraidLayout m_braids;
     LockPartition m_locks;
     Hairline m_hairline;
+    Gathering m_gathering;
     float m_lockSizeM = 0.0F; ///< That m_locks was made for, of m_roots.
 };
 

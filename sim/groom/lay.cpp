@@ -31,7 +31,8 @@ void Lay::add(const LayRoot& root, float lengthM)
     const glm::vec3 own =
         growthDirections(painted, m_inputs.natural != nullptr ? &natural : nullptr, root.positionHd, root.frame)
             .of(falls);
-    const glm::vec3 growth = strayed(root, falls, own);
+    const bool strays = m_inputs.field != nullptr && root.strayHd != glm::vec3(0.0F);
+    const glm::vec3 growth = strays ? strayed(root, falls, own) : own;
     const float square = std::min(glm::dot(growth, growth), 1.0F);
     const glm::vec3 direction = growth + root.frame.normal * std::sqrt(1.0F - square);
     const float segmentM = lengthM / static_cast<float>(m_nodes - 1);
@@ -49,7 +50,7 @@ void Lay::add(const LayRoot& root, float lengthM)
     const float riseM = std::min(m_inputs.coatRiseM, kRisesWithin * lengthM);
     m_lanes.perRise[lane] = riseM > 0.0F && root.liftM == 0.0F ? 1.0F / riseM : 0.0F; // A coil needs its room at once.
     constexpr float kAcrossM = 0.009F;                                                // A parting, two cells wide.
-    m_lanes.keepsM[lane] = growth != own ? kAcrossM : 0.0F;
+    m_lanes.keepsM[lane] = strays && growth != own ? kAcrossM : 0.0F;
     m_lanes.lies[lane] = square > kStandsBelow * kStandsBelow ? 1.0F : 0.0F;
     m_isUpright[lane] = square == 0.0F;
 }
@@ -96,8 +97,6 @@ void Lay::lay()
 glm::vec3 Lay::strayed(const LayRoot& root, float falls, glm::vec3 growth)
 {
     constexpr float kOpposed = -0.2F; ///< Cosine: along one side of a parting hairs agree.
-    if (m_inputs.field == nullptr || root.strayHd == glm::vec3(0.0F))
-        return growth;
     const std::int32_t cell = m_inputs.field->band()->cellAt(root.positionHd + root.strayHd);
     m_strayedTo[m_count] = cell;
     if (cell == SkinBand::kNone)

@@ -68,7 +68,8 @@ private:
 
     /// To the last bit.
     void straighten(std::size_t hair);
-    /// `growth`, or that beyond a parting that is nearer than the hair strays; notes the cell that it depends on.
+    /// `growth`, or that beyond a parting that is nearer than the hair strays; notes the cell that it depends on. Of a
+    /// hair that strays, over a field.
     [[nodiscard]] glm::vec3 strayed(const LayRoot& root, float falls, glm::vec3 growth);
 
     LayInputs m_inputs;

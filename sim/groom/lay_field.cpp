@@ -25,11 +25,11 @@ LayField::LayField(std::shared_ptr<const SkinBand> band, MapRaster natural, cons
 
 LayCell LayField::cellFrom(std::uint32_t index, const TiledRaster& direction) const
 {
-    const SkinBand::Cell& place = m_band->cells()[index];
-    const DirectionVector natural = m_natural ? directionAt(*m_natural, place.uv) : DirectionVector(0.0F);
-    return {place.frame.normal, glm::dot(place.positionHd, place.frame.normal),
-            growthDirections(directionAt(direction, place.uv), m_natural ? &natural : nullptr, place.positionHd,
-                             place.frame)};
+    const SkinBand::Cell& cell = m_band->cells()[index];
+    const DirectionVector natural = m_natural ? directionAt(*m_natural, cell.uv) : DirectionVector(0.0F);
+    return {
+        cell.frame.normal, glm::dot(cell.positionHd, cell.frame.normal),
+        growthDirections(directionAt(direction, cell.uv), m_natural ? &natural : nullptr, cell.positionHd, cell.frame)};
 }
 
 const TileIndex& LayField::tilesFor(int rasterSize)

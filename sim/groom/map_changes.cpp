@@ -92,7 +92,7 @@ void MapChanges::find(const GroupMaps& before, const GroupMaps& after, ChangedSl
             return other.slot < rule.slot && other.effect == rule.effect && before[other.slot] == was &&
                    after[other.slot] == is;
         };
-        if (was == is || std::ranges::any_of(kMapRules, isCompared))
+        if (was == is || rule.effect == MapEffect{} || std::ranges::any_of(kMapRules, isCompared))
             continue;
         if (rule.sampling == MapSampling::Nearest)
             compare(rule, nearest, *was, *is, changed);
@@ -103,6 +103,17 @@ void MapChanges::find(const GroupMaps& before, const GroupMaps& after, ChangedSl
         else
             compare(rule, channels, *was, *is, changed);
     }
+}
+
+void MapChanges::findNearest(const TiledRaster& before, const TiledRaster& after,
+                             const std::function<void(std::uint32_t)>& changed)
+{
+    const auto differs = [&](std::uint32_t slot) {
+        return before.sampleNearest(m_roots->uv[slot]) != after.sampleNearest(m_roots->uv[slot]);
+    };
+    SlotSet slots(m_roots->count());
+    visitChanged(before, after, differs, [&](std::uint32_t slot) { slots.insert(slot); });
+    slots.forEach(changed);
 }
 
 } // namespace hairpaint::sim

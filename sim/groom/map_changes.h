@@ -6,6 +6,7 @@
 #include "sim/groom/slot_set.h"
 #include "sim/groom/tile_index.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -33,6 +34,10 @@ public:
     /// Adds every slot where a value differs to what that map's rule says it has an effect on. Equal tile pointers are
     /// equal tiles; where pointers differ the sampled values decide.
     void find(const GroupMaps& before, const GroupMaps& after, ChangedSlots& changed);
+
+    /// Calls `changed` for each slot whose nearest texel differs; one after the other.
+    void findNearest(const TiledRaster& before, const TiledRaster& after,
+                     const std::function<void(std::uint32_t)>& changed);
 
 private:
     const TileIndex& indexFor(int rasterSize);

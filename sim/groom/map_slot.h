@@ -25,7 +25,8 @@ enum class MapSlot : std::uint8_t
     Direction,
     Frizz,
     Width,
-    Gloss
+    Gloss,
+    Accessory
 };
 
 enum class MapSampling : std::uint8_t
@@ -75,6 +76,7 @@ inline constexpr std::array kMapRules{
     MapRule{.slot = MapSlot::Frizz, .effect = {.look = true}},
     MapRule{.slot = MapSlot::Width, .effect = {.look = true}, .defaultValue = {32768}},
     MapRule{.slot = MapSlot::Gloss, .effect = {.look = true}, .defaultValue = {32768}},
+    MapRule{.slot = MapSlot::Accessory, .sampling = MapSampling::Nearest, .effect = {}}, // Felt by its ties alone.
 };
 inline constexpr std::size_t kMapSlotCount = kMapRules.size();
 

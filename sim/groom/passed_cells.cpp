@@ -5,6 +5,7 @@
 #include "sim/groom/lay.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace hairpaint::sim {
 
@@ -36,13 +37,19 @@ std::vector<SparseWord> sparse(const std::vector<std::uint64_t>& words)
     return kept;
 }
 
-void insertNear(std::vector<std::uint64_t>& near, std::span<const std::int32_t> cells)
+/// A list's cells, of which neighbours most often share a bit; returns their number.
+std::size_t insertNear(std::vector<std::uint64_t>& near, std::span<const std::int32_t> cells)
 {
-    for (const std::int32_t cell : cells) {
-        if (cell == SkinBand::kNone)
-            return;
-        insertBit(near, static_cast<std::size_t>(cell) / kCellsPerBit);
+    std::size_t last = std::numeric_limits<std::size_t>::max();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (cells[i] == SkinBand::kNone)
+            return i;
+        const std::size_t bit = static_cast<std::size_t>(cells[i]) / kCellsPerBit;
+        if (bit != last)
+            insertBit(near, bit);
+        last = bit;
     }
+    return cells.size();
 }
 
 } // namespace
@@ -66,10 +73,10 @@ void PassedCells::put(std::size_t strand, std::span<const std::int32_t> cells)
     *list = SkinBand::kNone;
     if (none)
         return;
-    std::ranges::copy(cells, list);
-    if (cells.size() < m_most)
-        list[static_cast<std::ptrdiff_t>(cells.size())] = SkinBand::kNone;
-    insertNear(chunk.near, cells);
+    const std::size_t count = insertNear(chunk.near, cells);
+    std::copy_n(cells.begin(), count, list);
+    if (count < m_most)
+        list[static_cast<std::ptrdiff_t>(count)] = SkinBand::kNone;
     // What was passed before stays in the summary, until as much was put as making it anew reads.
     if (++chunk.puts > 2 * kChunkSlots)
         renew(chunk);

@@ -156,7 +156,7 @@ glm::vec3 barycentricAt(double fraction)
     return {1.0F - corner.x - corner.y, corner.x, corner.y};
 }
 
-void placeOnSkin(RootSet& roots, const CurveSequence& sequence, const AreaCurve& curve, std::uint64_t seed)
+void locateOnSkin(RootSet& roots, const CurveSequence& sequence, const AreaCurve& curve, std::uint64_t seed)
 {
     const std::size_t count = roots.count();
     roots.face.resize(count);
@@ -195,7 +195,7 @@ void placeOnSkin(RootSet& roots, const CurveSequence& sequence, const AreaCurve&
     });
 }
 
-/// Within each chunk by rank: what a coarse picture leaves out lies in blocks of its own, which nobody need place.
+/// Within each chunk by rank: what a coarse picture leaves out lies in blocks of its own, which nobody need compute.
 void orderChunksByRank(RootSet& roots)
 {
     const std::size_t chunks = (roots.count() + kChunkSlots - 1) / kChunkSlots;
@@ -239,7 +239,7 @@ std::shared_ptr<const RootSet> buildRoots(std::shared_ptr<const Skin> skin, std:
         return roots;
     const CurveSequence sequence(seed);
     orderAlongCurve(*roots, sequence, count);
-    placeOnSkin(*roots, sequence, curve, seed);
+    locateOnSkin(*roots, sequence, curve, seed);
 
     const std::size_t basis = std::min(basisCount, count);
     roots->basisSlot.reserve(basis);

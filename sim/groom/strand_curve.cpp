@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hairpaint::sim {
 
@@ -88,13 +89,46 @@ glm::vec3 reflectedIn(glm::vec3 v, glm::vec3 axis, float squared)
 
 } // namespace of_floats
 
-of_floats::Span spanOf(std::span<const glm::vec3> nodes, std::size_t segment)
+of_floats::Span spanOf(std::span<const glm::vec3> nodes, std::size_t segment, bool isTaut)
 {
     const glm::vec3 p1 = nodes[segment];
     const glm::vec3 p2 = nodes[segment + 1];
-    return of_floats::spanOf(segment > 0 ? nodes[segment - 1] : of_floats::beyond(p1, p2), p1, p2,
+    const auto beforeRoot = [&] {
+        return isTaut && nodes.size() > 2 ? of_floats::beyondBent(p1, p2, nodes[2]) : of_floats::beyond(p1, p2);
+    };
+    return of_floats::spanOf(segment > 0 ? nodes[segment - 1] : beforeRoot(), p1, p2,
                              segment + 2 < nodes.size() ? nodes[segment + 2] : of_floats::beyond(p2, p1));
 }
+
+/// Walks along a skeleton: the curve at fractions of it, which rise.
+class Course
+{
+public:
+    Course(std::span<const glm::vec3> nodes, bool isTaut) : m_nodes(nodes), m_isTaut(isTaut) {}
+
+    void goTo(float s)
+    {
+        const std::size_t last = m_nodes.size() - 1;
+        m_u = s * static_cast<float>(last);
+        const std::size_t segment = std::min(static_cast<std::size_t>(m_u), last - 1);
+        if (segment != m_segment) {
+            m_segment = segment;
+            m_span = spanOf(m_nodes, segment, m_isTaut);
+        }
+    }
+    [[nodiscard]] float u() const { return m_u; } ///< By node.
+    [[nodiscard]] glm::vec3 position() const { return of_floats::positionAt(m_span, t()); }
+    [[nodiscard]] glm::vec3 derivative() const { return of_floats::derivativeAt(m_span, t()); }
+
+private:
+    [[nodiscard]] float t() const { return m_u - static_cast<float>(m_segment); }
+
+    std::span<const glm::vec3> m_nodes;
+    bool m_isTaut;
+    std::size_t m_segment = std::numeric_limits<std::size_t>::max();
+    float m_u = 0.0F;
+    of_floats::Span m_span{};
+};
 
 /// The wisp's and the hair's offset at a fraction q of a braid of `lengthM`: x along the frame's first axis, y along
 /// the strand, z along the third.
@@ -113,7 +147,8 @@ glm::vec3 braidedOffset(const StrandStyle& style, float q, float lengthM)
     const of_floats::BraidGirth girth = of_floats::braidGirth(hair, q);
     const float turnRad = glm::two_pi<float>() * style.braidTurns;
     const float apart = isTwist ? glm::pi<float>() : glm::two_pi<float>() / 3.0F;
-    of_floats::WispPath path = of_floats::wispPath(isTwist, turnRad * q + static_cast<float>(style.wisp) * apart);
+    of_floats::WispPath path =
+        of_floats::wispPath(isTwist, turnRad * q + static_cast<float>(style.wispNumber()) * apart);
     if (isTwist)
         for (float* number : {&path.x, &path.z, &path.onwardX, &path.onwardZ})
             *number *= kTwistFraction;
@@ -136,7 +171,7 @@ glm::vec3 coilOffset(const StrandStyle& style, const CurlSettings& curl, float s
                                   .radiusM = style.curlRadiusM,
                                   .phase = style.phase,
                                   .chance = style.variation,
-                                  .lengthM = style.lengthM},
+                                  .lengthM = style.lengthM * (1.0F - style.braidStart)},
                                  {.inStepFromM = curl.inStepFromM,
                                   .switchbacksPerM = curl.switchbacksPerM,
                                   .skips = curl.skips,
@@ -161,7 +196,7 @@ int curveSegmentsOf(const StrandStyle& style, const CurlSettings* coils)
 {
     float segments = 0.0F;
     if (style.curlRadiusM > 0.0F)
-        segments = style.turns * kPointsPerTurn;
+        segments = style.turns * kPointsPerTurn / std::max(1.0F - style.braidStart, 0.1F);
     // A wisp swings twice across the braid while it swings once along its width.
     if (style.braid != BraidKind::None)
         segments =
@@ -202,6 +237,15 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
     const std::size_t last = skeletonHd.size() - 1;
     const bool isCurled = style.turns > 0.0F && style.curlRadiusM > 0.0F;
     const bool isBraided = style.braid != BraidKind::None && style.braidStart < 1.0F;
+    Course course(skeletonHd, style.isTaut());
+    const auto fractionOf = [segments](int j) { return static_cast<float>(j) / static_cast<float>(segments); };
+    if (!isCurled && !isBraided && !(style.frizzM > 0.0F)) {
+        for (int j = 0; j <= segments; ++j) {
+            course.goTo(fractionOf(j));
+            pointsHd.push_back(course.position());
+        }
+        return;
+    }
     const of_floats::Frizz frizz = of_floats::frizzOf(style.frizzM, style.lengthM);
     glm::vec3 lastPoint = skeletonHd[0];
     // Only where the skeleton has no direction at all.
@@ -210,17 +254,15 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
     const auto shared = static_cast<std::size_t>(std::lround(style.braidStart * static_cast<float>(last))) + 1;
     bool isFramed = !isBraided || shared > last; // As it will be.
     for (int j = 0; j <= segments; ++j) {
-        const float s = static_cast<float>(j) / static_cast<float>(segments);
-        const float u = s * static_cast<float>(last);
-        const std::size_t segment = std::min(static_cast<std::size_t>(u), last - 1);
-        const of_floats::Span span = spanOf(skeletonHd, segment);
-        const float t = u - static_cast<float>(segment);
-        const glm::vec3 position = of_floats::positionAt(span, t);
-        const glm::vec3 derivative = of_floats::derivativeAt(span, t);
+        const float s = fractionOf(j);
+        course.goTo(s);
+        const float u = course.u();
+        const glm::vec3 position = course.position();
+        const glm::vec3 derivative = course.derivative();
         const glm::vec3 tangent = of_floats::tangentOf(derivative, lastTangent);
         if (!isFramed && u >= static_cast<float>(shared)) {
             isFramed = true;
-            const of_floats::Span from = spanOf(skeletonHd, std::min(shared, last - 1));
+            const of_floats::Span from = spanOf(skeletonHd, std::min(shared, last - 1), style.isTaut());
             const float end = shared < last ? 0.0F : 1.0F;
             lastPoint = of_floats::positionAt(from, end);
             lastTangent = of_floats::tangentOf(of_floats::derivativeAt(from, end), lastTangent);
@@ -242,11 +284,12 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
             const glm::vec3 offset = braidedOffset(style, q, braidM) * std::min(gathered, 1.0F);
             point += first * offset.x + tangent * offset.y + glm::cross(first, tangent) * offset.z;
         } else if (isCurled && coils != nullptr) {
-            const glm::vec3 offset = coilOffset(style, *coils, s);
+            const glm::vec3 offset = coilOffset(style, *coils, of_floats::curledFraction(s, style.braidStart));
             point += reference * offset.x + glm::cross(tangent, reference) * offset.y;
         } else if (isCurled) {
-            const glm::vec3 offset = curlOffset(style.phase + glm::two_pi<float>() * style.turns * s) *
-                                     of_floats::curlRadius(style.curlRadiusM, s);
+            const float curled = of_floats::curledFraction(s, style.braidStart);
+            const glm::vec3 offset = curlOffset(style.phase + glm::two_pi<float>() * style.turns * curled) *
+                                     of_floats::curlRadius(style.curlRadiusM, curled);
             point += reference * offset.x + glm::cross(tangent, reference) * offset.y + tangent * offset.z;
         }
         if (style.frizzM > 0.0F) {

@@ -63,15 +63,18 @@ float turnsOfCurl(float value, bool stepped)
 RootChance chanceOf(std::uint64_t seed, std::uint32_t rank)
 {
     const std::uint64_t first = hash64(seed ^ kChanceKey, std::uint64_t{rank} * 2);
-    const std::uint64_t second = hash64(seed ^ kChanceKey, std::uint64_t{rank} * 2 + 1);
     constexpr float kPerSixteenBits = 1.0F / 65536.0F;
     RootChance chance;
     chance.phase = unitFloat(first) * glm::two_pi<float>();
     chance.variation = static_cast<float>(first & 0xFFFFU) * (2.0F * kPerSixteenBits) - 1.0F;
     chance.coatHeight = static_cast<float>((first >> 16U) & 0xFFFFU) * kPerSixteenBits;
-    chance.wisp = static_cast<std::uint32_t>(second & 0xFFU) % 6;
-    chance.wispOffset = pointInDisc(second);
     return chance;
+}
+
+WispChance wispChanceOf(std::uint64_t seed, std::uint32_t rank)
+{
+    const std::uint64_t hash = hash64(seed ^ kChanceKey, std::uint64_t{rank} * 2 + 1);
+    return {.wisp = static_cast<std::uint32_t>(hash & 0xFFU) % 6, .wispOffset = pointInDisc(hash)};
 }
 
 LayRoot layRootOf(const GroupSettings& settings, const RootSet& roots, std::uint32_t slot, const RootChance& chance,
@@ -83,19 +86,10 @@ LayRoot layRootOf(const GroupSettings& settings, const RootSet& roots, std::uint
             .frame = frame,
             .uv = roots.uv[slot],
             .chance = chance.coatHeight,
-            .strayHd = strayOf(settings.variation, roots.seed, roots.rankOfSlot[slot], positionHd, frame),
+            .strayHd = settings.variation.parting > 0.0F
+                           ? strayOf(settings.variation, roots.seed, roots.rankOfSlot[slot], positionHd, frame)
+                           : glm::vec3(0.0F),
             .liftM = liftM};
-}
-
-RootLook lookAt(const MapSamplers& maps, glm::vec2 uv)
-{
-    const MapSampler& colour = maps[MapSlot::Colour];
-    const MapSampler& tip = maps[MapSlot::TipColour];
-    const glm::vec3 root(colour.channels(uv));
-    return {.colours = {.root = root, .tip = tip.sameAs(colour) ? root : glm::vec3(tip.channels(uv))},
-            .frizz = maps[MapSlot::Frizz].scalar(uv),
-            .width = maps[MapSlot::Width].scalar(uv),
-            .gloss = maps[MapSlot::Gloss].scalar(uv)};
 }
 
 RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv)
@@ -103,8 +97,7 @@ RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv)
     const float curl = maps[MapSlot::Curl].scalar(uv);
     return {.length = maps[MapSlot::Length].scalar(uv),
             .curl = curl,
-            .curlSize = curl > 0.0F ? maps[MapSlot::CurlSize].scalar(uv) : 0.0F,
-            .look = lookAt(maps, uv)};
+            .curlSize = curl > 0.0F ? maps[MapSlot::CurlSize].scalar(uv) : 0.0F};
 }
 
 float widthOf(float value)
@@ -115,12 +108,54 @@ float widthOf(float value)
            kDiffers * (value <= kHalfTexel ? value / kHalfTexel - 1.0F : (value - kHalfTexel) / (1.0F - kHalfTexel));
 }
 
-void setLook(const GroupSettings& settings, const RootLook& look, const HairVariation& own, StrandStyle& style)
+HairLook::HairLook(const GroupSettings& settings, const MapSamplers& maps)
+    : m_settings(settings), m_maps(maps),
+      m_hasColours(maps[MapSlot::Colour].isUniform() && maps[MapSlot::TipColour].isUniform()),
+      m_hasSurface(maps[MapSlot::Frizz].isUniform() && maps[MapSlot::Width].isUniform() &&
+                   maps[MapSlot::Gloss].isUniform())
 {
-    style.frizzM = settings.greatestFrizzM * look.frizz;
-    style.width = own.width * widthOf(look.width);
-    style.gloss = sixteenBits(look.gloss);
-    const RootColours& colours = look.colours;
+    constexpr glm::vec2 kAnywhere(0.5F);
+    if (m_hasColours)
+        setColours(coloursAt(kAnywhere), {}, m_common);
+    if (m_hasSurface)
+        setSurface(kAnywhere, m_common);
+}
+
+void HairLook::give(glm::vec2 uv, const HairVariation& own, StrandStyle& style) const
+{
+    if (m_hasSurface) {
+        style.frizzM = m_common.frizzM;
+        style.width = m_common.width;
+        style.gloss = m_common.gloss;
+    } else {
+        setSurface(uv, style);
+    }
+    style.width *= own.width;
+    if (m_hasColours && !own.isGrey) {
+        style.rootColour = m_common.rootColour;
+        style.tipColour = m_common.tipColour;
+    } else {
+        setColours(coloursAt(uv), own, style);
+    }
+}
+
+HairLook::Colours HairLook::coloursAt(glm::vec2 uv) const
+{
+    const MapSampler& colour = m_maps[MapSlot::Colour];
+    const MapSampler& tip = m_maps[MapSlot::TipColour];
+    const glm::vec3 root(colour.channels(uv));
+    return {.root = root, .tip = tip.sameAs(colour) ? root : glm::vec3(tip.channels(uv))};
+}
+
+void HairLook::setSurface(glm::vec2 uv, StrandStyle& style) const
+{
+    style.frizzM = m_settings.greatestFrizzM * m_maps[MapSlot::Frizz].scalar(uv);
+    style.width = widthOf(m_maps[MapSlot::Width].scalar(uv));
+    style.gloss = sixteenBits(m_maps[MapSlot::Gloss].scalar(uv));
+}
+
+void HairLook::setColours(const Colours& colours, const HairVariation& own, StrandStyle& style) const
+{
     const auto shown = [&](glm::vec3 colour) { return own.isGrey ? greyed(colour, style.variation) : colour; };
     style.rootColour = packColour(shown(colours.root));
     style.tipColour = colours.tip == colours.root ? style.rootColour : packColour(shown(colours.tip));
@@ -215,7 +250,6 @@ StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, con
     }
     style.phase = chance.phase;
     style.variation = chance.variation;
-    setLook(settings, values.look, own, style);
     style.detail = detail;
     return style;
 }

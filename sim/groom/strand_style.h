@@ -8,43 +8,31 @@
 
 namespace hairpaint::sim {
 
-/// Colours of one hair, sRGB as encoded.
-struct RootColours
-{
-    glm::vec3 root{0.0F};
-    glm::vec3 tip{0.0F};
-};
-
-/// Values of the maps that change what a hair looks like, not where it lies.
-struct RootLook
-{
-    RootColours colours;
-    float frizz = 0.0F;
-    float width = 0.0F;
-    float gloss = 0.0F;
-};
-
-/// Values of the maps that a style is made from, at one root.
+/// Values of the maps that tell a hair's shape, at one root.
 struct RootValues
 {
     float length = 0.0F;
     float curl = 0.0F;
     float curlSize = 0.0F; ///< Where there is curl.
-    RootLook look;
 };
-[[nodiscard]] RootLook lookAt(const MapSamplers& maps, glm::vec2 uv);
 [[nodiscard]] RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv);
 
 /// What a hair has from chance, always the same for a rank.
 struct RootChance
 {
-    float phase = 0.0F;         ///< rad
-    float variation = 0.0F;     ///< -1..1
-    float coatHeight = 0.0F;    ///< 0..1
+    float phase = 0.0F;      ///< rad
+    float variation = 0.0F;  ///< -1..1
+    float coatHeight = 0.0F; ///< 0..1
+};
+[[nodiscard]] RootChance chanceOf(std::uint64_t seed, std::uint32_t rank);
+
+/// The same of a braided hair: where in its braid it is.
+struct WispChance
+{
     std::uint32_t wisp = 0;     ///< 0..5: even over two wisps and over three
     glm::vec2 wispOffset{0.0F}; ///< In the unit disc, uniform.
 };
-[[nodiscard]] RootChance chanceOf(std::uint64_t seed, std::uint32_t rank);
+[[nodiscard]] WispChance wispChanceOf(std::uint64_t seed, std::uint32_t rank);
 
 [[nodiscard]] LayRoot layRootOf(const GroupSettings& settings, const RootSet& roots, std::uint32_t slot,
                                 const RootChance& chance, float liftM = 0.0F);
@@ -79,10 +67,35 @@ struct Coil
 /// Of the width map's value: exactly 1 where nothing is painted.
 [[nodiscard]] float widthOf(float value);
 
-void setLook(const GroupSettings& settings, const RootLook& look, const HairVariation& own, StrandStyle& style);
+/// What the maps say that changes how hairs look, not where they lie. What is the same for all is found once. Must not
+/// outlive its arguments.
+class HairLook
+{
+public:
+    HairLook(const GroupSettings& settings, const MapSamplers& maps);
+    /// The look of the hair at `uv`, whose style has its variation.
+    void give(glm::vec2 uv, const HairVariation& own, StrandStyle& style) const;
+
+private:
+    /// Colours of one hair, sRGB as encoded.
+    struct Colours
+    {
+        glm::vec3 root{0.0F};
+        glm::vec3 tip{0.0F};
+    };
+    [[nodiscard]] Colours coloursAt(glm::vec2 uv) const;
+    void setColours(const Colours& colours, const HairVariation& own, StrandStyle& style) const;
+    void setSurface(glm::vec2 uv, StrandStyle& style) const;
+
+    const GroupSettings& m_settings;
+    const MapSamplers& m_maps;
+    bool m_hasColours = false; ///< m_common has those of all hairs that are not grey,
+    bool m_hasSurface = false; ///< and frizz, width and gloss of all.
+    StrandStyle m_common;
+};
 /// With this, not the hair's own, its curl differs from what the maps say.
 void varyCurl(const HairVariation& variation, StrandStyle& style);
-/// A hair that is not braided, its curl as the maps say; `detail` = threshold / density.
+/// A hair that is not braided, its curl as the maps say, without its look; `detail` = threshold / density.
 [[nodiscard]] StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, const RootChance& chance,
                                   const HairVariation& own, float detail);
 

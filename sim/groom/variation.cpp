@@ -149,11 +149,11 @@ void turnLane(const HairVariation& variation, float clump, const SkinFrame& fram
     };
     const float loose = 1.0F - clump;
     const glm::vec3 rootHd = nodeAt(0);
-    const glm::vec3 wayHd = nodeAt(1) - rootHd;
+    const glm::vec3 directionHd = nodeAt(1) - rootHd;
     // Around an axis to the side of its first segment it goes towards the normal.
-    const glm::vec3 sideHd = glm::cross(wayHd, frame.normal);
+    const glm::vec3 sideHd = glm::cross(directionHd, frame.normal);
     const float sine = std::sqrt(glm::dot(sideHd, sideHd));
-    const float standing = std::max(glm::dot(wayHd, frame.normal), 0.0F);
+    const float standing = std::max(glm::dot(directionHd, frame.normal), 0.0F);
     const bool hasSide = sine > 1e-3F * standing && sine > 0.0F;
     const glm::vec3 axis = hasSide ? sideHd / sine : frame.x;
     const float upright = standing > 0.0F ? standing / std::sqrt(standing * standing + sine * sine) : 0.0F;

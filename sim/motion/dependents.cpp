@@ -1,4 +1,4 @@
-// Preparing and placing dependent hairs.
+// Preparing and positioning dependent hairs.
 #include "sim/motion/dependents.h"
 
 #include "sim/base/parallel.h"
@@ -56,14 +56,14 @@ glm::vec3 inWorld(const RigidMotion& world, glm::vec3 p)
 void Dependents::prepare(const Groom& groom, const ColliderSet& colliders, bool everything)
 {
     m_chunks.resize(groom.chunks.size());
-    m_placed.clear();
+    m_positioned.clear();
     std::vector<std::uint8_t> changed;
     const bool basisDiffers = findChangedBasis(groom, changed);
     std::vector<std::uint32_t> stale;
     std::vector<std::uint32_t> kept;
     for (std::size_t i = 0; i < groom.chunks.size(); ++i) {
         if (groom.chunks[i] && groom.packedChunk[i] >= 0)
-            m_placed.push_back(static_cast<std::uint32_t>(i));
+            m_positioned.push_back(static_cast<std::uint32_t>(i));
         if (everything || m_chunks[i].styles != groom.chunks[i])
             stale.push_back(static_cast<std::uint32_t>(i));
         else if (basisDiffers && groom.chunks[i])
@@ -121,7 +121,7 @@ float Dependents::agreement(const Lead& a, const Lead& b)
 void Dependents::followChangedBasis(const Groom& groom, const std::vector<std::uint8_t>& changed, std::size_t index)
 {
     Chunk& chunk = m_chunks[index];
-    if (chunk.weights.empty())
+    if (chunk.weights.empty() || groom.isOfTails)
         return;
     const std::size_t firstSlot = index * kChunkSlots;
     const std::size_t count = std::min<std::size_t>(kChunkSlots, groom.roots->neighbours.size() - firstSlot);
@@ -132,7 +132,7 @@ void Dependents::followChangedBasis(const Groom& groom, const std::vector<std::u
         if (wasParted)
             ++nextParted; // It depends on basis hairs further away, too.
         const std::array<std::uint32_t, RootSet::kNeighbours>& nearest = groom.roots->neighbours[firstSlot + slot];
-        if (chunk.styles->drawn[slot] &&
+        if (chunk.styles->drawn[slot] && !chunk.styles->gathered[slot] &&
             (wasParted || changed[leaderOf(groom, index, slot)] != 0 ||
              std::ranges::any_of(nearest, [&](std::uint32_t basis) { return changed[basis] != 0; })))
             follow(groom, index, slot);
@@ -210,6 +210,23 @@ void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
     setClump(groom, index, slot, styles.clump[slot]);
 }
 
+void Dependents::followGiven(const Groom& groom, std::size_t index, std::size_t slot)
+{
+    Chunk& chunk = m_chunks[index];
+    const StrandChunk& styles = *chunk.styles;
+    const StrandBlocks layout = groom.blocks();
+    const Followed& given = styles.followed[slot];
+    makeFollowed(groom, index);
+    chunk.followed[slot] = given.basis;
+    chunk.weights[slot] = given.weights;
+    const glm::vec3 toFirst =
+        layout.node(groom.basis->restPositions, given.basis[0], 0) - layout.node(styles.restPositions, slot, 0);
+    const std::size_t rows = chunk.lanes.size() / (kBlocksPerChunk * kLanes);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        chunk.lanes[rowIndex(slot, kDependentClumpX + axis, rows)] =
+            toFirst[static_cast<int>(axis)] * styles.clump[slot];
+}
+
 void Dependents::followLock(const Groom& groom, std::size_t index, std::size_t slot, float clump)
 {
     Chunk& chunk = m_chunks[index];
@@ -285,14 +302,17 @@ void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, 
     const StrandChunk& styles = *chunk.styles;
     const std::size_t firstSlot = index * kChunkSlots;
     for (std::size_t slot = 0; slot < kChunkSlots; ++slot) {
-        if (!styles.drawn[slot] || firstSlot + slot >= groom.roots->neighbours.size())
+        if (!styles.drawn[slot] || styles.gathered[slot] || firstSlot + slot >= groom.roots->neighbours.size())
             continue;
         const auto row = [&](int number) -> float& {
             return chunk.lanes[rowIndex(slot, static_cast<std::size_t>(number), rows)];
         };
         const float segment = styles.segmentLengths[slot];
         row(kDependentSegment) = segment;
-        follow(groom, index, slot);
+        if (groom.isOfTails)
+            followGiven(groom, index, slot);
+        else
+            follow(groom, index, slot);
         if (!styles.braidCentre.empty() && styles.braidCentre[slot] != kNoCentre)
             chunk.braided.push_back(static_cast<std::uint16_t>(slot));
         float height = 0.0F;
@@ -394,19 +414,20 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
 {
     const std::size_t chunkFloats = groom.blocks().floatsFor(kBlocksPerChunk);
     frame.positions.resize(static_cast<std::size_t>(groom.packedChunks) * chunkFloats);
-    if (!groom.roots || m_placed.empty())
+    if (!groom.roots || m_positioned.empty())
         return;
     findDisplacements(groom, state, fraction);
     DependentsTask common;
     common.nodes = groom.nodes;
     common.displacements = m_displacements.data();
     common.colliders = &colliders;
+    common.beginsInAir = groom.isOfTails;
     common.world = worldOfHead(pose);
     common.neck = neckTurn(neck, pose);
     common.detail = frame.detail;
-    parallelFor(m_placed.size() * kBlocksPerChunk, kDependentBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
+    parallelFor(m_positioned.size() * kBlocksPerChunk, kDependentBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
         for (std::size_t at = begin; at < end;) {
-            const std::size_t index = m_placed[at / kBlocksPerChunk];
+            const std::size_t index = m_positioned[at / kBlocksPerChunk];
             const std::size_t chunkBegin = at - at % kBlocksPerChunk;
             const std::size_t until = std::min(end, chunkBegin + kBlocksPerChunk);
             const Chunk& chunk = m_chunks[index];
@@ -418,14 +439,14 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
             task.lanes = chunk.lanes.data();
             task.leastDetail = chunk.styles->leastDetail.data();
             task.out = frame.positions.data() + static_cast<std::size_t>(groom.packedChunk[index]) * chunkFloats;
-            placeDependents(task, at - chunkBegin, until - chunkBegin);
+            positionDependents(task, at - chunkBegin, until - chunkBegin);
             at = until;
         }
     });
-    parallelFor(m_placed.size(), 1, [&](std::size_t begin, std::size_t end) {
+    parallelFor(m_positioned.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const Chunk& chunk = m_chunks[m_placed[i]];
-            const auto packed = static_cast<std::size_t>(groom.packedChunk[m_placed[i]]);
+            const Chunk& chunk = m_chunks[m_positioned[i]];
+            const auto packed = static_cast<std::size_t>(groom.packedChunk[m_positioned[i]]);
             if (!chunk.braided.empty())
                 writeBraided(groom, chunk, common.world, frame.detail, frame.positions.data() + packed * chunkFloats);
         }

@@ -1,4 +1,4 @@
-// The drawn hairs of a group, placed around its basis hairs; braided ones along their braid's centre.
+// The drawn hairs of a group, positioned around its basis hairs; braided ones along their braid's centre.
 #pragma once
 
 #include "sim/base/aligned_floats.h"
@@ -60,6 +60,8 @@ private:
     /// lies to another side, counts less, and the nearest counts the more the closer the hair clumps to it. Where all
     /// of the nearest lie to another side, as beside a parting, it follows one next to them that does not.
     void follow(const Groom& groom, std::size_t index, std::size_t slot);
+    /// Makes a hair follow those that the groom says.
+    void followGiven(const Groom& groom, std::size_t index, std::size_t slot);
     /// Makes a hair follow the basis hair that leads its lock as closely as it clumps.
     void followLock(const Groom& groom, std::size_t index, std::size_t slot, float clump);
     /// The basis hair whose lock it is in; the nearest where locks have no others.
@@ -75,8 +77,8 @@ private:
     std::shared_ptr<const BasisStyles> m_basis;
     std::vector<Lead> m_leads; ///< [basis lanes] of m_basis.
     std::vector<Chunk> m_chunks;
-    std::vector<std::uint32_t> m_placed; ///< Chunks that have positions in the frame.
-    AlignedFloats m_displacements;       ///< [basis lanes][nodes][kBasisFloats], see DependentsTask.
+    std::vector<std::uint32_t> m_positioned; ///< Chunks that have positions in the frame.
+    AlignedFloats m_displacements;           ///< [basis lanes][nodes][kBasisFloats], see DependentsTask.
 };
 
 } // namespace hairpaint::sim

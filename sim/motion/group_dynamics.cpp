@@ -82,6 +82,7 @@ void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderS
 {
     if (groom == m_groom && sameColliders(m_colliders, colliders)) {
         m_isNew = m_groom->basisCount == 0;
+        m_gathered.setGroom(*m_groom, colliders, calm);
         return; // Something else of the input differs: hair at rest stays at rest.
     }
     const std::shared_ptr<const Groom> kept = std::exchange(m_groom, std::move(groom));
@@ -91,6 +92,7 @@ void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderS
     m_colliders = colliders;
     if (otherGains) {
         m_gains = gainsOf(m_groom->settings.physics, m_groom->nodes);
+        m_gains.beginsInAir = m_groom->isOfTails;
         m_drag = m_gains.drag;
     }
 
@@ -123,6 +125,7 @@ void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderS
         m_body->setGroom(*m_groom);
     const bool otherCoat = otherColliders || otherGains || before.roots != m_groom->roots;
     m_dependents.prepare(*m_groom, m_colliders, otherCoat);
+    m_gathered.setGroom(*m_groom, m_colliders, calm);
     rouse();
 }
 
@@ -187,7 +190,8 @@ void GroupDynamics::reshape(const Groom& before, std::size_t was, std::size_t st
                                    .hangingHd = hanging,
                                    .turned = turned,
                                    .factor = length / lengthBefore,
-                                   .segmentM = length});
+                                   .segmentM = length,
+                                   .isRootMoved = now.isOfTails});
 }
 
 void GroupDynamics::hang(const StrandState& state, std::size_t strand, std::span<const glm::vec3> restHd,
@@ -218,7 +222,9 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
     const GroupGains gains = [this] {
         PhysicsSettings physics = m_groom->settings.physics;
         physics.damping = std::max(physics.damping, kSettleDamping);
-        return gainsOf(physics, m_groom->nodes);
+        GroupGains damped = gainsOf(physics, m_groom->nodes);
+        damped.beginsInAir = m_groom->isOfTails;
+        return damped;
     }();
     const std::vector<StepForces> steps(kSettleSteps, calm);
     const glm::vec3 downHd = downOf(calm);
@@ -232,7 +238,7 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
             for (int row = 0; row < m_state.laneRows; ++row)
                 alone.field(i, row) = m_state.field(strand, row);
             hang(alone, i, std::span(shape).first(nodes), downHd, std::span(hanging).first(nodes));
-            alone.placeStrand(i, std::span(hanging).first(nodes));
+            alone.setStrand(i, std::span(hanging).first(nodes));
         }
         stepBlocks(alone.view(rest.data()), gains, m_colliders, steps, 0, begin, end);
     });
@@ -255,11 +261,13 @@ void GroupDynamics::reset()
             if (m_state.field(strand, kStill) >= kUnwanted)
                 continue;
             m_groom->blocks().read(m_groom->basis->restPositions, strand, std::span(rest).first(nodes));
-            m_state.placeStrand(strand, std::span(rest).first(nodes));
+            m_state.setStrand(strand, std::span(rest).first(nodes));
         }
     });
     if (m_body)
         m_body->forget();
+    if (m_gathered.tails() != nullptr)
+        m_gathered.tails()->reset();
     rouse();
 }
 
@@ -275,6 +283,8 @@ void GroupDynamics::hangAnew(const StepForces& calm)
     settle(wanted, calm);
     if (m_body)
         m_body->forget();
+    if (m_gathered.tails() != nullptr)
+        m_gathered.tails()->hangAnew(calm);
     rouse();
 }
 
@@ -284,6 +294,8 @@ void GroupDynamics::wake()
         if (m_state.field(strand, kStill) < kUnwanted)
             m_state.wakeStrand(strand);
     }
+    if (m_gathered.tails() != nullptr)
+        m_gathered.tails()->wake();
     rouse();
 }
 
@@ -310,11 +322,13 @@ std::size_t GroupDynamics::calmDown(std::span<const StepForces> steps)
 
 bool GroupDynamics::asleep() const
 {
-    return !m_groom || !m_groom->visible || !m_awake;
+    return !m_groom || !m_groom->visible || (!m_awake && (tails() == nullptr || tails()->asleep()));
 }
 
 void GroupDynamics::step(std::span<const StepForces> steps)
 {
+    if (m_gathered.tails() != nullptr)
+        m_gathered.tails()->step(steps);
     const bool windy = std::any_of(steps.begin(), steps.end(), [](const StepForces& step) { return step.windy; });
     const bool moves =
         std::any_of(steps.begin(), steps.end(), [](const StepForces& step) { return !step.toNewHead.identity; });
@@ -351,6 +365,7 @@ void GroupDynamics::write(GroupFrame& frame, float fraction, const HeadPose& pos
         return;
     }
     m_dependents.write(*m_groom, m_state, m_colliders, fraction, pose, neck, frame);
+    m_gathered.write(frame, fraction, pose, neck);
 }
 
 } // namespace hairpaint::sim

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/motion/dependents.h"
+#include "sim/motion/gathered_hair.h"
 #include "sim/motion/strand_frame.h"
 #include "sim/solver/hair_body.h"
 #include "sim/solver/strand_state.h"
@@ -27,19 +28,21 @@ public:
     void hangAnew(const StepForces& calm);
     void wake();
     /// None of its strands was there before the last groom.
-    [[nodiscard]] bool isNew() const { return m_isNew; }
+    [[nodiscard]] bool isNew() const { return m_isNew && (tails() == nullptr || tails()->isNew()); }
     /// No strand moves any more, or none is seen.
     [[nodiscard]] bool asleep() const;
 
     void step(std::span<const StepForces> steps);
     /// `fraction`: 0 at the step before, 1 at the present one. The pose is that of the same moment; of the hairs those
-    /// below frame.detail are placed.
+    /// below frame.detail are positioned.
     void write(GroupFrame& frame, float fraction, const HeadPose& pose, const Neck& neck = {}) const;
 
     [[nodiscard]] const std::shared_ptr<const Groom>& groom() const { return m_groom; }
     [[nodiscard]] const StrandState& state() const { return m_state; }
     /// What keeps hair out of hair; null where the group has no body.
     [[nodiscard]] const HairBody* body() const { return m_body.get(); }
+    /// The hair behind ties; null where none is gathered.
+    [[nodiscard]] const GroupDynamics* tails() const { return m_gathered.tails(); }
 
 private:
     [[nodiscard]] std::vector<std::size_t> takeStrands(const Groom& before, std::span<const std::int32_t> origin,
@@ -61,7 +64,8 @@ private:
     StrandState m_state;
     std::unique_ptr<HairBody> m_body;
     mutable Dependents m_dependents; ///< Its buffers are reused from frame to frame.
-    std::size_t m_calmSteps = 0;     ///< Since something else than gravity moved the hair.
+    GatheredHair m_gathered;
+    std::size_t m_calmSteps = 0; ///< Since something else than gravity moved the hair.
     bool m_awake = false;
     bool m_isNew = true;
 };

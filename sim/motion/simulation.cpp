@@ -206,7 +206,7 @@ void Simulation::writeFrame(StrandFrame& frame, float detail) const
         s.groups[i]->write(frame.groups[i], moment, frame.pose, s.neck);
         const Groom& groom = *s.groups[i]->groom();
         frame.hairCount += groom.hairCount;
-        frame.basisCount += groom.basisCount;
+        frame.basisCount += groom.basisCount + (groom.tails ? groom.tails->basisCount : 0);
         if (frame.limit == HairLimit::None)
             frame.limit = groom.limit;
     }

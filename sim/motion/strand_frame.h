@@ -25,20 +25,20 @@ struct HeadPose
 struct GroupFrame
 {
     std::shared_ptr<const Groom> groom;
-    /// Skeleton nodes of every slot of every placed chunk: [placedChunks][kBlocksPerChunk][nodes][3][kLanes], Wo, m.
-    /// Slots that are no hair hold zeros. Empty where the group is hidden.
+    /// Skeleton nodes of every slot of every positioned chunk: [positionedChunks][kBlocksPerChunk][nodes][3][kLanes],
+    /// Wo, m. Slots that are no hair hold zeros. Empty where the group is hidden.
     std::vector<float> positions;
     /// 0..1: only hairs whose StrandStyle::detail is below are where they belong; 1: all.
     float detail = 1.0F;
 
     /// Whether a slot's nodes are those of a drawn hair at this moment.
-    [[nodiscard]] bool places(std::size_t slot) const
+    [[nodiscard]] bool isPositioned(std::size_t slot) const
     {
         return groom->isDrawn(slot) && groom->style(slot).detail < detail;
     }
-    /// visit(block) for each block of positions in which hairs are placed.
+    /// visit(block) for each block of positions in which hairs are positioned.
     template<class Visit>
-    void forEachPlacedBlock(const Visit& visit) const
+    void forEachPositionedBlock(const Visit& visit) const
     {
         if (!groom || positions.empty())
             return;
@@ -70,8 +70,8 @@ struct StrandFrame
     std::size_t rebuiltStrands = 0; ///< Evaluated since the first frame, in all.
 };
 
-/// The least GroupFrame::detail; 1 where every hair is placed.
-[[nodiscard]] inline float placedDetail(const StrandFrame& frame)
+/// The least GroupFrame::detail; 1 where every hair is positioned.
+[[nodiscard]] inline float frameDetail(const StrandFrame& frame)
 {
     float least = 1.0F;
     for (const GroupFrame& group : frame.groups)

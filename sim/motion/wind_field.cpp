@@ -97,7 +97,7 @@ StepForces WindField::nextStep(const HeadPose& from, const HeadPose& to)
     forces.windy = blows();
     if (m_wind.enabled) {
         const double seconds = static_cast<double>(m_step) * kStepSeconds;
-        // Two slow waves that never meet in the same way again; -1..1.
+        // Two slow waves whose sum never repeats; -1..1.
         const float lull =
             0.6F * sinDet(wrappedPhase(static_cast<float>(std::fmod(seconds * 0.83, glm::two_pi<double>())))) +
             0.4F * sinDet(wrappedPhase(static_cast<float>(std::fmod(seconds * 2.17 + 1.3, glm::two_pi<double>()))));

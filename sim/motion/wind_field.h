@@ -17,7 +17,7 @@ class WindField
 public:
     /// Numbers that are not finite count as no wind; speeds are limited to 60 m/s.
     void setWind(const Wind& wind);
-    /// Lasts a tenth of a second; the oldest gives way where there are more than kMaxPuffs.
+    /// Lasts a tenth of a second; the oldest is dropped where there are more than kMaxPuffs.
     void puff(glm::vec3 centreWo, glm::vec3 velocity, float radiusM);
     [[nodiscard]] bool blows() const;
 

@@ -102,12 +102,12 @@ std::vector<Pair> closestPairs(const std::vector<Sample>& samples, const Pose& p
     std::vector<Pair> pairs(samples.size());
     parallelFor(samples.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const glm::vec3 placed = pose(samples[i].position);
-            const SurfacePoint nearest = skin.nearest(placed);
+            const glm::vec3 posed = pose(samples[i].position);
+            const SurfacePoint nearest = skin.nearest(posed);
             const glm::dmat3 normalMap = glm::inverse(glm::transpose(pose.slope(samples[i].position)));
             const glm::dvec3 normal = glm::normalize(normalMap * glm::dvec3(samples[i].normal));
             const bool facesApart = glm::dot(normal, glm::dvec3(nearest.normalHd)) < kLeastAgreement;
-            const auto distance = static_cast<double>(glm::distance(placed, nearest.positionHd));
+            const auto distance = static_cast<double>(glm::distance(posed, nearest.positionHd));
             pairs[i] = {samples[i].position, nearest.positionHd, nearest.normalHd,
                         facesApart ? std::numeric_limits<double>::infinity() : distance};
         }

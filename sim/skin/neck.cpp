@@ -23,7 +23,7 @@ Neck neckOf(const std::optional<HeadLandmarks>& landmarks, const HeadMesh& mesh)
     const glm::vec3& right = (*landmarks)[HeadLandmark::EarRight];
     const glm::vec3 ears = 0.5F * (left + right);
     const float chinY = (*landmarks)[HeadLandmark::Chin].y;
-    // Half way to the nape the spine comes down; the shoulders begin as far below the chin as half the way from the
+    // Halfway to the nape the spine comes down; the shoulders begin as far below the chin as half the distance from the
     // ears.
     neck.pivotHd = 0.5F * (ears + (*landmarks)[HeadLandmark::Nape]);
     const float faceM = std::max(ears.y - chinY, 0.0F);

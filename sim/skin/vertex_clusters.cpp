@@ -15,7 +15,7 @@ namespace {
 constexpr int kAxisBits = 20;
 constexpr float kMostCells = static_cast<float>(1 << kAxisBits) - 1.0F;
 
-/// The cell, and which of eight ways the skin faces there, so that the two sides of an ear stay apart.
+/// The cell, and into which octant the skin faces there, so that the two sides of an ear stay apart.
 std::uint64_t clusterKeyOf(glm::vec3 inCells, glm::vec3 normal)
 {
     std::uint64_t key = 0;
@@ -53,7 +53,7 @@ CoarseMesh coarsened(const HeadMesh& mesh, std::size_t mostVertices)
             if (cluster == next) {
                 coarse.mesh.positionsHd.emplace_back(0.0F);
                 members.push_back(0.0F);
-                // Eight ways to face leave eight in one cell at the end.
+                // Eight octants leave eight in one cell at the end.
                 fits = clusters.size() <= std::max<std::size_t>(mostVertices, 8);
             }
             coarse.clusterOf[i] = cluster;

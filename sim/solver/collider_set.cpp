@@ -119,10 +119,10 @@ float strandScale(const Collider& collider, std::span<const glm::vec3> restHd, f
 
 namespace {
 
-/// Whether a strand is laid: not straight, and every node much nearer to the skin than the way to it is long.
+/// Whether a strand is laid: not straight, and every node much nearer to the skin than it is far along the strand.
 bool liesOnSkin(const DistanceGrid& grid, std::span<const glm::vec3> restHd)
 {
-    constexpr float kOfTheWay = 0.5F;
+    constexpr float kOfTheLength = 0.5F;
     const glm::vec3 first = restHd[1] - restHd[0];
     const float segmentM = std::sqrt(glm::dot(first, first));
     constexpr float kStraight = 0.9999F;
@@ -131,7 +131,7 @@ bool liesOnSkin(const DistanceGrid& grid, std::span<const glm::vec3> restHd)
         return false;
     for (std::size_t i = 2; i < restHd.size(); ++i) {
         const auto sample = grid.at(restHd[i]);
-        if (!sample || sample->distanceM > kOfTheWay * segmentM * static_cast<float>(i))
+        if (!sample || sample->distanceM > kOfTheLength * segmentM * static_cast<float>(i))
             return false;
     }
     return true;

@@ -96,8 +96,8 @@ HWY_INLINE Lanes strayingOf(Lanes length, const Lanes3& sunk)
 }
 
 /// Where a node lies that is styled at `styled` while its basis hairs lie as `common`. All of its own is left where
-/// they have not moved (by `displacement`), nothing where by half of the way from the root; and of long hair, which
-/// does not carry itself, all that leads away from theirs by a sixth of the way, nothing by a third.
+/// they have not moved (by `displacement`), nothing where by half of the distance from the root; and of long hair,
+/// which does not carry itself, all that leads away from theirs by a sixth of that distance, nothing by a third.
 HWY_INLINE Lanes3 laidAmong(const Lanes3& styled, const Lanes3& common, const Lanes3& displacement, Lanes straying,
                             float s)
 {
@@ -109,8 +109,9 @@ HWY_INLINE Lanes3 laidAmong(const Lanes3& styled, const Lanes3& common, const La
 }
 
 /// The lanes from one on of a block, from their mean displacements to the world.
-HWY_INLINE void placeStrands(const DependentsTask& task, const float* HWY_RESTRICT mean, const float* HWY_RESTRICT rest,
-                             const float* HWY_RESTRICT lanes, float* HWY_RESTRICT out)
+HWY_INLINE void positionStrands(const DependentsTask& task, const float* HWY_RESTRICT mean,
+                                const float* HWY_RESTRICT rest, const float* HWY_RESTRICT lanes,
+                                float* HWY_RESTRICT out)
 {
     const Lanes segment = loaded(lanes);
     const Yes drawn = segment > 0.0F;
@@ -140,7 +141,7 @@ HWY_INLINE void placeStrands(const DependentsTask& task, const float* HWY_RESTRI
         // Again out of the skin, since restoring the length may lead back in.
         for (int pass = 0; pass < (task.colliders->skin.pairs != nullptr ? 2 : 1); ++pass) {
             Contact contact = noContact();
-            if (!collide(task, lanes, i == 1, parent, p, contact))
+            if (!collide(task, lanes, i == 1 && !task.beginsInAir, parent, p, contact))
                 break;
             p = select(contact.touched, atLength(parent, p, stretched, styled - parentRest), p);
         }
@@ -150,7 +151,7 @@ HWY_INLINE void placeStrands(const DependentsTask& task, const float* HWY_RESTRI
     }
 }
 
-void PlaceDependents(const DependentsTask& task, std::size_t begin, std::size_t end)
+void PositionDependents(const DependentsTask& task, std::size_t begin, std::size_t end)
 {
     const auto nodes = static_cast<std::size_t>(task.nodes);
     const std::size_t laneStride = dependentRows(*task.colliders) * kLanes;
@@ -175,7 +176,7 @@ void PlaceDependents(const DependentsTask& task, std::size_t begin, std::size_t 
                 gather(task, block * kLanes + lane, mean + lane * 4);
         }
         for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(Tag()))
-            placeStrands(task, mean + lane * 4, task.rest + first + lane, lanes + lane, task.out + first + lane);
+            positionStrands(task, mean + lane * 4, task.rest + first + lane, lanes + lane, task.out + first + lane);
     }
 }
 
@@ -185,11 +186,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace hairpaint::sim {
 
-HWY_EXPORT(PlaceDependents);
+HWY_EXPORT(PositionDependents);
 
-void placeDependents(const DependentsTask& task, std::size_t begin, std::size_t end)
+void positionDependents(const DependentsTask& task, std::size_t begin, std::size_t end)
 {
-    HWY_DYNAMIC_DISPATCH(PlaceDependents)(task, begin, end);
+    HWY_DYNAMIC_DISPATCH(PositionDependents)(task, begin, end);
 }
 
 } // namespace hairpaint::sim

@@ -42,7 +42,8 @@ struct DependentsTask
     float detail = 1.0F;                                      ///< Blocks without a hair below are left as they are,
                                                               ///< unless it is 1.
     const ColliderSet* colliders = nullptr;
-    RigidMotion world; ///< From the head's frame.
+    bool beginsInAir = false; ///< See GroupGains.
+    RigidMotion world;        ///< From the head's frame.
     NeckTurn neck;
     float* out = nullptr; ///< As `rest`; zeros where nothing is drawn.
 };
@@ -52,6 +53,6 @@ struct DependentsTask
 /// has of its own beside theirs is forgotten where they have moved far: two hairs of which one is laid over the ear
 /// hang side by side. Then segment lengths are restored from root to tip, outside ellipsoids and skin. Neither
 /// allocates nor throws; the same bytes with every instruction set.
-void placeDependents(const DependentsTask& task, std::size_t begin, std::size_t end);
+void positionDependents(const DependentsTask& task, std::size_t begin, std::size_t end);
 
 } // namespace hairpaint::sim

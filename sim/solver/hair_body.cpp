@@ -56,8 +56,9 @@ void HairBody::countHairs(const Groom& groom)
             const std::size_t first = chunk * kChunkSlots;
             const std::size_t count = std::min<std::size_t>(kChunkSlots, groom.roots->neighbours.size() - first);
             for (std::size_t slot = 0; slot < count; ++slot)
-                if (groom.chunks[chunk]->drawn[slot])
-                    m_hair[groom.roots->neighbours[first + slot][0]] += 1.0F;
+                if (groom.chunks[chunk]->drawn[slot] && !groom.chunks[chunk]->gathered[slot])
+                    m_hair[groom.isOfTails ? groom.chunks[chunk]->followed[slot].basis[0]
+                                           : groom.roots->neighbours[first + slot][0]] += 1.0F;
         }
     } else {
         std::ranges::fill(m_hair, 1.0F);

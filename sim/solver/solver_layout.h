@@ -102,10 +102,11 @@ struct GroupGains
     int nodes = 0;
     float drag = 1.0F; ///< Factor of the velocity.
     float gravityScale = 1.0F;
-    float windGain = 0.0F;                    ///< Fraction of the relative velocity of the air taken over in a step.
-    float frictionKeep = 1.0F;                ///< Fraction of the tangential motion kept in contact.
-    float stillM = kStillM;                   ///< What counts as lying still, see kStillM.
-    float stickSlope2 = 0.0F;                 ///< Contact sticks while (tangential/normal motion)^2 is below.
+    float windGain = 0.0F;     ///< Fraction of the relative velocity of the air taken over in a step.
+    float frictionKeep = 1.0F; ///< Fraction of the tangential motion kept in contact.
+    float stillM = kStillM;    ///< What counts as lying still, see kStillM.
+    bool beginsInAir = false;  ///< Strands do not stand on skin: their first segments are kept out of it, too.
+    float stickSlope2 = 0.0F;  ///< Contact sticks while (tangential/normal motion)^2 is below.
     std::array<float, kMostNodes> rootKeep{}; ///< Fraction of the motion against the head that hair around leaves.
     std::array<float, kMostNodes> waveACos{}, waveASin{}, waveBCos{}, waveBSin{}; ///< Turbulence along the strand.
 };

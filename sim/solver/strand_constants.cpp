@@ -89,15 +89,15 @@ float bendingGain(float stiffnessM, float segmentM)
 
 float holdGain(float gel)
 {
-    // 0.3 gives way to gravity by 2.5 cm, and each tenth more by half of the tenth before.
-    constexpr float kGivesWayM = 0.025F;
+    // 0.3 sags under gravity by 2.5 cm, and each tenth more by half of the tenth before.
+    constexpr float kSagM = 0.025F;
     constexpr float kLn2 = 0.6931472F;
     // All of it holds whatever comes.
     const float amount = std::clamp(gel, 0.0F, 1.0F);
     const float amount2 = amount * amount;
     const float amount4 = amount2 * amount2;
     const float left = std::max(1.0F - amount4 * amount4, 1e-6F);
-    return kGravity * kStep * kStep / kGivesWayM * ((expDet(kLn2 * 10.0F * amount) - 1.0F) / (7.0F * left));
+    return kGravity * kStep * kStep / kSagM * ((expDet(kLn2 * 10.0F * amount) - 1.0F) / (7.0F * left));
 }
 
 float coatM(float height, float volumeM, float segmentM)

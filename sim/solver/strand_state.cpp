@@ -53,7 +53,7 @@ void StrandState::copyStrand(const StrandState& from, std::size_t fromStrand, st
         field(toStrand, row) = from.field(fromStrand, row);
 }
 
-void StrandState::placeStrand(std::size_t strand, std::span<const glm::vec3> nodesHd)
+void StrandState::setStrand(std::size_t strand, std::span<const glm::vec3> nodesHd)
 {
     for (AlignedFloats* array : {&positions[0], &positions[1], &previous})
         shape().write(*array, strand, nodesHd);
@@ -74,6 +74,10 @@ void StrandState::stopStrand(std::size_t strand)
 void StrandState::reshapeStrand(std::size_t strand, const Reshaping& to)
 {
     const float kept = to.factor * (1.0F - to.turned);
+    if (to.isRootMoved) {
+        for (AlignedFloats* array : {&previous, &before(), &now()})
+            shape().setNode(*array, strand, 0, to.afterHd[0]);
+    }
     glm::vec3 parent = shape().node(now(), strand, 0);
     for (std::size_t node = 1; node < static_cast<std::size_t>(nodes); ++node) {
         const glm::vec3 was = shape().node(now(), strand, node);

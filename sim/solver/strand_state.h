@@ -39,7 +39,7 @@ struct StrandState
 
     void copyStrand(const StrandState& from, std::size_t fromStrand, std::size_t toStrand);
     /// Both steps at `nodesHd`, without speed, awake.
-    void placeStrand(std::size_t strand, std::span<const glm::vec3> nodesHd);
+    void setStrand(std::size_t strand, std::span<const glm::vec3> nodesHd);
     /// Without speed where it is.
     void stopStrand(std::size_t strand);
     /// Another rest shape, root first.
@@ -51,6 +51,7 @@ struct StrandState
         float turned = 0.0F;                  ///< 0..1: how far it points elsewhere than the one before.
         float factor = 1.0F;                  ///< Its length by that before.
         float segmentM = 0.0F;
+        bool isRootMoved = false; ///< Else that stays as it is.
     };
     /// As far from the rest shape as it was from that before, times `factor`, with as much of its speed; as far as it
     /// has `turned`, hanging still.

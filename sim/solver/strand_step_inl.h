@@ -80,14 +80,15 @@ HWY_INLINE void predict(const GroupGains& gains, const StepForces& step, const S
 
 /// One exact pass from root to tip: each node at its length, outside of what it touches, its velocity for the next
 /// step.
-HWY_INLINE Lanes3 placeNode(const GroupGains& gains, const ColliderSet& colliders, const StepForces& step,
-                            const StrandRows& rows, int node, Lanes length, Yes moving, const Lanes3& parent)
+HWY_INLINE Lanes3 projectNode(const GroupGains& gains, const ColliderSet& colliders, const StepForces& step,
+                              const StrandRows& rows, int node, Lanes length, Yes moving, const Lanes3& parent)
 {
     const std::size_t offset = static_cast<std::size_t>(node) * StrandBlocks::kNodeStride;
     const Lanes3 start = loaded3(rows.current + offset);
     const Lanes3 lie = loaded3(rows.lanes + kLieX * kLanes);
-    const Obstacles obstacles{colliders, step.neck, rows.lanes, clearanceOf(rows.lanes, length, node),
-                              node == 1, parent};
+    const Obstacles obstacles{
+        colliders, step.neck, rows.lanes, clearanceOf(rows.lanes, length, node), node == 1 && !gains.beginsInAir,
+        parent};
     const Lanes3 headed = loaded3(rows.p + offset);
     Lanes3 p = atLength(parent, headed, length, lie);
     if (rows.recoils && node > 1)
@@ -129,7 +130,7 @@ HWY_INLINE void stepStrands(const GroupGains& gains, const ColliderSet& collider
     stored3(root, rows.previous);
     Lanes3 p = root;
     for (int node = 1; node < gains.nodes; ++node) {
-        p = placeNode(gains, colliders, step, rows, node, length, watch.moving(), p);
+        p = projectNode(gains, colliders, step, rows, node, length, watch.moving(), p);
         watch.see(node, gains.nodes, p, rows.lanes);
     }
     const Yes lost = isLost(loaded3(rows.rest), p);

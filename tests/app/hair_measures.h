@@ -1,4 +1,5 @@
-// What the eye checks in hair, measured on exported strands. Hd is the world: the head stands still. All m but shares.
+// What the eye checks in hair, measured on exported strands. Hd is the world: the head stands still. All m but
+// fractions.
 #pragma once
 
 #include "model/importing/strand_shape.h"
@@ -48,7 +49,7 @@ inline glm::vec3 pointAfter(const std::vector<glm::vec3>& hair, float alongM)
 }
 
 /// Of every sixth hair and that nearest to it, within 8 mm at the root: how many lie on one side and then on the other.
-inline double crossingShare(const Strands& hairs)
+inline double crossingFraction(const Strands& hairs)
 {
     constexpr int kSamples = 24;
     constexpr float kAsideM = 0.0004F;
@@ -197,7 +198,7 @@ inline PartMeasures partOf(const Strands& hairs)
 }
 
 /// Of squares of 3 mm around the crown, how many no hair passes, seen from above.
-inline double bareShare(const Strands& hairs, const glm::vec3& crown)
+inline double bareFraction(const Strands& hairs, const glm::vec3& crown)
 {
     constexpr int kSquares = 20; ///< Across: 6 cm.
     constexpr float kSquareM = 0.003F;
@@ -221,7 +222,7 @@ struct CurlMeasures
     std::size_t coils = 0;  ///< Hairs of more than a turn.
     float diameterM = 0.0F; ///< Medians.
     float pitchM = 0.0F;
-    double rightHanded = 0.0; ///< Share of them.
+    double rightHanded = 0.0; ///< Fraction of them.
 };
 inline CurlMeasures curlOf(const Strands& hairs)
 {

@@ -213,7 +213,7 @@ private Q_SLOTS:
         QVERIFY(found >= 6);
     }
 
-    void whatTheSystemSaysComesWithAWayOn()
+    void whatTheSystemSaysComesWithAdvice()
     {
         static const QRegularExpression said(
             QStringLiteral("(errorString\\(\\)|qt_error_string\\(|problem\\.message\\(\\))"));

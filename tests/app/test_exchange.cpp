@@ -33,8 +33,8 @@ private Q_SLOTS:
         qunsetenv("HAIRPAINT_IMPORT_MS");
     }
 
-    void anAcceptedHeadTakesThePlaceOfTheOld_data() { menuOrDrop(); }
-    void anAcceptedHeadTakesThePlaceOfTheOld()
+    void anAcceptedHeadReplacesTheOld_data() { menuOrDrop(); }
+    void anAcceptedHeadReplacesTheOld()
     {
         QFETCH(bool, dropped);
         open(model::newProject());
@@ -116,9 +116,9 @@ private Q_SLOTS:
         QVERIFY((*after.head->landmarks)[sim::HeadLandmark::Chin] ==
                 (*before.head->landmarks)[sim::HeadLandmark::Chin]);
         QVERIFY(after.head->skin == before.head->skin);
-        const auto densityAt = [&](glm::vec3 place) {
+        const auto densityAt = [&](glm::vec3 positionHd) {
             const auto density = document.resolvedNow(after.groups.front().id, model::MapKind::Density);
-            return density->sampleScalar(after.head->skin->nearest(place).uv);
+            return density->sampleScalar(after.head->skin->nearest(positionHd).uv);
         };
         const glm::vec3 between = 0.5F * (old + moved) + glm::vec3(0.015F, 0.0F, 0.0F); // Beside the parting.
         QVERIFY(densityAt(between) > 0.3F);
@@ -307,8 +307,8 @@ private Q_SLOTS:
                     return QTest::mouseClick(one, Qt::LeftButton);
         };
         {
-            const QByteArray place = QFile::encodeName(ownPresetFolder());
-            const test::FileRefusal refusal(place.constData(),
+            const QByteArray positionHd = QFile::encodeName(ownPresetFolder());
+            const test::FileRefusal refusal(positionHd.constData(),
                                             isFull ? test::FileRefusal::Why::Full : test::FileRefusal::Why::ReadOnly);
             save();
             QCOMPARE(m_answers->said.size(), 2); // Whether it may be replaced, and that it was not.

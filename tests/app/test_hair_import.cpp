@@ -75,7 +75,7 @@ private Q_SLOTS:
                  ending == QLatin1String("hair") ? QStringLiteral("out") : QStringLiteral("Scalp"));
     }
 
-    void theHairThatComesBackIsAsLongAndRunsTheSameWay()
+    void theHairThatComesBackHasItsLengthAndDirection()
     {
         const QString first = file(QStringLiteral("first.hair"));
         const QString back = file(QStringLiteral("back.hairpaint"));
@@ -107,10 +107,10 @@ private Q_SLOTS:
                 if (glm::distance(after.strand(j).front(), hair.front()) <
                     glm::distance(after.strand(nearest).front(), hair.front()))
                     nearest = j;
-            const glm::vec3 way = hair.back() - hair.front();
-            const glm::vec3 wayAfter = after.strand(nearest).back() - after.strand(nearest).front();
-            apart += glm::distance(way, wayAfter);
-            gone += glm::length(way);
+            const glm::vec3 offset = hair.back() - hair.front();
+            const glm::vec3 offsetAfter = after.strand(nearest).back() - after.strand(nearest).front();
+            apart += glm::distance(offset, offsetAfter);
+            gone += glm::length(offset);
         }
         QVERIFY2(apart < 0.25 * gone, qPrintable(QString::number(apart / gone)));
     }

@@ -147,7 +147,7 @@ private Q_SLOTS:
         }
     }
 
-    void theVersionStandsInOnePlace()
+    void theVersionStandsInOneFile()
     {
         QFile file(QStringLiteral(HAIRPAINT_SOURCE_DIR "/vcpkg.json"));
         QVERIFY(file.open(QIODevice::ReadOnly));

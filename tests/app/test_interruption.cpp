@@ -21,13 +21,13 @@ private:
     QTemporaryDir m_folder;
 
     [[nodiscard]] QString project() const { return m_folder.filePath(QStringLiteral("p.hairpaint")); }
-    [[nodiscard]] QString place() const { return m_folder.filePath(QStringLiteral("made")); }
+    [[nodiscard]] QString folder() const { return m_folder.filePath(QStringLiteral("made")); }
 
     /// Files that lie somewhere below the folder, under whatever name.
     [[nodiscard]] int filesThere() const
     {
         int count = 0;
-        for (QDirIterator files(place(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories); files.hasNext();
+        for (QDirIterator files(folder(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories); files.hasNext();
              files.next())
             ++count;
         return count;
@@ -35,7 +35,7 @@ private:
 
     [[nodiscard]] bool isEmptyThere() const
     {
-        return QDir(place()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+        return QDir(folder()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
     }
 
 private Q_SLOTS:
@@ -55,9 +55,9 @@ private Q_SLOTS:
         QTest::addColumn<int>("signal");
         const QStringList render{QStringLiteral("render"), project(),
                                  QStringLiteral("--size"), QStringLiteral("64x64"),
-                                 QStringLiteral("-o"),     place() + QStringLiteral("/f.png")};
+                                 QStringLiteral("-o"),     folder() + QStringLiteral("/f.png")};
         const QStringList curves{QStringLiteral("export"), project(), QStringLiteral("-o"),
-                                 place() + QStringLiteral("/f.hair")};
+                                 folder() + QStringLiteral("/f.hair")};
         QTest::newRow("pictures, killed") << render << SIGTERM;
         QTest::newRow("pictures, Ctrl+C") << render << SIGINT;
         QTest::newRow("pictures, a closed terminal") << render << SIGHUP;
@@ -89,7 +89,7 @@ private Q_SLOTS:
         QProcess process;
         const QStringList render{QStringLiteral("render"),   project(),
                                  QStringLiteral("--size"),   QStringLiteral("64x64"),
-                                 QStringLiteral("-o"),       place() + QStringLiteral("/f.png"),
+                                 QStringLiteral("-o"),       folder() + QStringLiteral("/f.png"),
                                  QStringLiteral("--settle"), QStringLiteral("0"),
                                  QStringLiteral("--frames")};
         process.start(QStringLiteral(HAIRPAINT_PROGRAM), render + QStringList{QStringLiteral("0-5000")});
@@ -98,7 +98,7 @@ private Q_SLOTS:
         QVERIFY(process.waitForFinished(test::kPatienceMs));
         QVERIFY(!isEmptyThere());
         QCOMPARE(test::runProgram(render + QStringList{QStringLiteral("0-0")}).code, 0);
-        QVERIFY(QFile::remove(place() + QStringLiteral("/f.0000.png")));
+        QVERIFY(QFile::remove(folder() + QStringLiteral("/f.0000.png")));
         QVERIFY(isEmptyThere());
     }
 #endif

@@ -302,7 +302,7 @@ private Q_SLOTS:
         QVERIFY(isBlue());
     }
 
-    /// The last: there is no way back to the language of the sources.
+    /// The last: nothing switches back to the language of the sources.
     void dialogsCallGroupsAsTheWindowDoes()
     {
         QCOMPARE(speak(QStringLiteral("es")), QStringLiteral("es"));

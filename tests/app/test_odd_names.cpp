@@ -57,8 +57,8 @@ private Q_SLOTS:
     void everyVerbTakesTheName()
     {
         QFETCH(QString, name);
-        const QTemporaryDir place;
-        const QString folder = place.filePath(name);
+        const QTemporaryDir root;
+        const QString folder = root.filePath(name);
         QVERIFY(QDir().mkdir(folder));
         const auto file = [&](const char* suffix) { return folder + QLatin1Char('/') + name + QLatin1String(suffix); };
         const QString project = file(".hairpaint");
@@ -111,8 +111,8 @@ private Q_SLOTS:
     /// Qt spells names in UTF-8, so a folder of another spelling is worked in from inside.
     void aFolderOfAnotherSpellingIsWorkedIn()
     {
-        const QTemporaryDir place;
-        const QByteArray folder = QFile::encodeName(place.path()) + "/caf\xE9";
+        const QTemporaryDir root;
+        const QByteArray folder = QFile::encodeName(root.path()) + "/caf\xE9";
         QCOMPARE(::mkdir(folder.constData(), 0700), 0);
         const auto inFolder = [&folder] { (void)!::chdir(folder.constData()); };
         const auto passes = [&inFolder](const char* arguments) {

@@ -104,8 +104,8 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(locks + name));
         test::writeBytes(locks + name, "999999999\nhairpaint\n");
         openWindow(model::newProject());
-        const QByteArray place = QFile::encodeName(QFileInfo(locks).path());
-        const test::FileRefusal refusal(place.constData(),
+        const QByteArray path = QFile::encodeName(QFileInfo(locks).path());
+        const test::FileRefusal refusal(path.constData(),
                                         isFull ? test::FileRefusal::Why::Full : test::FileRefusal::Why::ReadOnly);
         BoxAnswer answer(QStringLiteral("Open anyway"));
         QVERIFY(m_window->files().openPath(m_path));
@@ -201,7 +201,7 @@ private Q_SLOTS:
         QVERIFY(m_window->files().openPath(model::earlierVersion(m_path, 3)));
     }
 
-    void whereItCannotBeSavedAnotherPlaceIsOffered()
+    void whereItCannotBeSavedAnotherPathIsOffered()
     {
         openSaved();
         const QString folder = m_folder.filePath(QStringLiteral("vanishing"));

@@ -236,7 +236,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("spelling");
         QTest::newRow("as it was") << QStringLiteral("P.hairpaint");
         QTest::newRow("by a link") << QStringLiteral("link.hairpaint");
-        QTest::newRow("by another way") << QStringLiteral("way/../P.hairpaint");
+        QTest::newRow("by another path") << QStringLiteral("way/../P.hairpaint");
     }
     void whatIsRestoredForTheFileThatIsToBeOpenedIsOpen()
     {
@@ -258,7 +258,7 @@ private Q_SLOTS:
         QCOMPARE(foldersLeft(), 1);
     }
 
-    void anotherFileDoesNotTakeThePlaceOfWhatIsRestored()
+    void anotherFileDoesNotOverwriteWhatIsRestored()
     {
         const QString other = m_folder.filePath(QStringLiteral("other.hairpaint"));
         QVERIFY(model::saveProject(model::newProject(), other, {}));

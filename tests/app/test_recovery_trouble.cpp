@@ -40,9 +40,9 @@ private Q_SLOTS:
         const QByteArray work = savedBytes("work.hairpaint");
         crash();
         leaveLock(onlyFolder());
-        const QByteArray place = QFile::encodeName(QFileInfo(JournalFolder::root()).absolutePath());
+        const QByteArray path = QFile::encodeName(QFileInfo(JournalFolder::root()).absolutePath());
         {
-            const test::FileRefusal refusal(place.constData(),
+            const test::FileRefusal refusal(path.constData(),
                                             isFull ? test::FileRefusal::Why::Full : test::FileRefusal::Why::ReadOnly);
             openWindow(model::newProject());
             {
@@ -80,8 +80,8 @@ private Q_SLOTS:
         stroke(0.5F);
         crash();
         leaveLock(onlyFolder());
-        const QByteArray place = QFile::encodeName(QFileInfo(JournalFolder::root()).absolutePath());
-        const test::FileRefusal refusal(place.constData(), test::FileRefusal::Why::ReadOnly);
+        const QByteArray path = QFile::encodeName(QFileInfo(JournalFolder::root()).absolutePath());
+        const test::FileRefusal refusal(path.constData(), test::FileRefusal::Why::ReadOnly);
         openWindow(model::newProject());
         class DiscardThenLater : public RecoveryAnswer
         {
@@ -199,9 +199,9 @@ private Q_SLOTS:
         crash();
         openWindow(model::newProject());
         hurryJobs();
-        const QByteArray place = QFile::encodeName(JournalFolder::root());
+        const QByteArray path = QFile::encodeName(JournalFolder::root());
         {
-            const test::FileStall stall(place.constData());
+            const test::FileStall stall(path.constData());
             class Cancel : public QObject
             {
             public:

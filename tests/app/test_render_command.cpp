@@ -126,7 +126,7 @@ private Q_SLOTS:
         QVERIFY(frame("shaken", 10) != frame("unshaken", 2));
     }
 
-    /// Seen on a head without hair, which swings on in its own way.
+    /// Seen on a head without hair, which swings on by itself.
     void aMotionIsRepeatedAfterItsEnd_data()
     {
         QTest::addColumn<QByteArray>("motion");
@@ -186,7 +186,7 @@ private Q_SLOTS:
     }
 
     /// +X is the head's own left, which the view from the front shows on the right.
-    void theWindBlowsTheHairItsWay()
+    void theWindBlowsTheHairInItsDirection()
     {
         QCOMPARE(render(m_baldProject, "bald.png", "--view front --fit bust --settle 0"), QString());
         const QImage bald(path("bald.png"));

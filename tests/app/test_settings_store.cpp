@@ -151,10 +151,10 @@ private Q_SLOTS:
         QVERIFY(QDir().mkpath(folder));
         const QString file = folder + QStringLiteral("/settings.json");
         test::writeBytes(file, R"({"text": "there"})");
-        const QByteArray place = QFile::encodeName(folder);
+        const QByteArray path = QFile::encodeName(folder);
         {
             constexpr int kMs = 50;
-            const test::FileStall stall(place.constData());
+            const test::FileStall stall(path.constData());
             SettingsStore store(file, kMs);
             QVERIFY(!store.value(QStringLiteral("text")).isValid());
             store.setValue(QStringLiteral("text"), QStringLiteral("mine"));

@@ -20,11 +20,11 @@ namespace hairpaint::app {
 namespace {
 
 /// Cancels what takes long once the window has lived for many moments while the disk is waited for, and gives another
-/// place where one is asked for.
+/// path where one is asked for.
 class Patient : public BoxAnswer
 {
 public:
-    Patient(const QString& button, QString otherPlace = {}) : BoxAnswer(button), m_otherPlace(std::move(otherPlace)) {}
+    Patient(const QString& button, QString otherPath = {}) : BoxAnswer(button), m_otherPath(std::move(otherPath)) {}
     int cancelled = 0;
 
     bool ends(QWidget& dialog) override
@@ -32,15 +32,15 @@ public:
         auto* buttons = dialog.findChild<QDialogButtonBox*>();
         if (dialog.objectName() == QLatin1String("progressWindow")) {
             // Elsewhere the disk answers.
-            if (m_otherPlace.isEmpty() && test::FileStall::waiting() > 0 && ++m_moments > kMoments &&
+            if (m_otherPath.isEmpty() && test::FileStall::waiting() > 0 && ++m_moments > kMoments &&
                 buttons->button(QDialogButtonBox::Cancel)->isEnabled()) {
                 ++cancelled;
                 buttons->button(QDialogButtonBox::Cancel)->click();
             }
             return true;
         }
-        if (dialog.inherits("QFileDialog") && !m_otherPlace.isEmpty()) {
-            dialog.findChild<QLineEdit*>()->setText(m_otherPlace);
+        if (dialog.inherits("QFileDialog") && !m_otherPath.isEmpty()) {
+            dialog.findChild<QLineEdit*>()->setText(m_otherPath);
             for (QAbstractButton* button : buttons->buttons())
                 if (buttons->buttonRole(button) == QDialogButtonBox::AcceptRole)
                     button->click();
@@ -51,7 +51,7 @@ public:
 
 private:
     static constexpr int kMoments = 20;
-    QString m_otherPlace;
+    QString m_otherPath;
     int m_moments = 0;
 };
 
@@ -63,8 +63,8 @@ class TestSilentDisk : public QObject, private WindowFixture
     Q_OBJECT
 #ifdef Q_OS_LINUX
 private:
-    QString m_place; ///< The folder.
-    QByteArray m_placeBytes;
+    QString m_server; ///< The folder.
+    QByteArray m_pathBytes;
     QString m_path;
 
     void openSaved()
@@ -86,14 +86,14 @@ private Q_SLOTS:
     void initTestCase()
     {
         prepareApplication();
-        m_place = m_folder.filePath(QStringLiteral("server"));
-        m_placeBytes = QFile::encodeName(m_place);
-        m_path = m_place + QStringLiteral("/shared.hairpaint");
+        m_server = m_folder.filePath(QStringLiteral("server"));
+        m_pathBytes = QFile::encodeName(m_server);
+        m_path = m_server + QStringLiteral("/shared.hairpaint");
     }
     void init()
     {
-        QDir(m_place).removeRecursively();
-        QVERIFY(QDir().mkpath(m_place));
+        QDir(m_server).removeRecursively();
+        QVERIFY(QDir().mkpath(m_server));
         QFile::remove(m_folder.filePath(QStringLiteral("other.hairpaint")));
     }
     void cleanup()
@@ -114,7 +114,7 @@ private Q_SLOTS:
         const QByteArray before = test::readBytes(m_path);
         const QString other = m_folder.filePath(QStringLiteral("other.hairpaint"));
         {
-            const test::FileStall stall(m_placeBytes.constData(), call.constData());
+            const test::FileStall stall(m_pathBytes.constData(), call.constData());
             {
                 Patient patient(QStringLiteral("Cancel"));
                 QVERIFY(!m_window->files().save());
@@ -138,7 +138,7 @@ private Q_SLOTS:
         // It was called off, so the one who answers late replaces nothing.
         QTRY_VERIFY_WITH_TIMEOUT(!Jobs::anyLeft(), kPatienceMs);
         QVERIFY(test::readBytes(m_path) == before);
-        QCOMPARE(QDir(m_place).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(), 1);
+        QCOMPARE(QDir(m_server).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(), 1);
         m_window->files().setPath(m_path);
         QVERIFY(m_window->files().save());
         QVERIFY(test::readBytes(m_path) != before);
@@ -149,7 +149,7 @@ private Q_SLOTS:
         openSaved();
         m_window->files().setPath({});
         {
-            const test::FileStall stall(m_placeBytes.constData());
+            const test::FileStall stall(m_pathBytes.constData());
             Patient patient(QStringLiteral("Cancel"));
             QVERIFY(!m_window->files().openPath(m_path));
             QCOMPARE(patient.cancelled, 1);
@@ -168,7 +168,7 @@ private Q_SLOTS:
         openSaved();
         QSignalSpy told(&m_window->files(), &ProjectFiles::changedOutside);
         {
-            const test::FileStall stall(m_placeBytes.constData());
+            const test::FileStall stall(m_pathBytes.constData());
             m_window->files().lookOutside();
             QTRY_VERIFY_WITH_TIMEOUT(test::FileStall::waiting() > 0, kPatienceMs);
             for (const char* action : {"edit.undo", "edit.redo"})

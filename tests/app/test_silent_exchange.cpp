@@ -15,14 +15,14 @@ class TestSilentExchange : public QObject, private ExchangeFixture
     Q_OBJECT
 #ifdef Q_OS_LINUX
 private:
-    QString m_place; ///< The folder.
-    QByteArray m_placeBytes;
+    QString m_server; ///< The folder.
+    QByteArray m_pathBytes;
     QTimer m_patience;
     int m_askedByDialogs = 0; ///< Of files, which look into the folder.
 
     [[nodiscard]] QStringList lyingThere() const
     {
-        return QDir(m_place).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+        return QDir(m_server).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
     }
 
     /// With few hairs; one window does for all.
@@ -42,8 +42,8 @@ private Q_SLOTS:
     void initTestCase()
     {
         prepareDialogs();
-        m_place = m_folder.filePath(QStringLiteral("server"));
-        m_placeBytes = QFile::encodeName(m_place);
+        m_server = m_folder.filePath(QStringLiteral("server"));
+        m_pathBytes = QFile::encodeName(m_server);
         // Who sees that nothing answers cancels.
         connect(&m_patience, &QTimer::timeout, this, [this] {
             if (m_answers == nullptr || m_answers->cancels == (test::FileStall::waiting() > 0))
@@ -56,8 +56,8 @@ private Q_SLOTS:
     }
     void init()
     {
-        QDir(m_place).removeRecursively();
-        QVERIFY(QDir().mkpath(m_place));
+        QDir(m_server).removeRecursively();
+        QVERIFY(QDir().mkpath(m_server));
     }
     void cleanupTestCase()
     {
@@ -83,14 +83,14 @@ private Q_SLOTS:
         QFETCH(QString, name);
         openOnce();
         QTRY_VERIFY_WITH_TIMEOUT(session().hair() == Session::Hair::Current, kPatienceMs);
-        m_answers->file = QDir(m_place).filePath(name);
+        m_answers->file = QDir(m_server).filePath(name);
         m_answers->choosesExport = [&name](view::ExportHairDialog& dialog) {
             if (name.endsWith(QLatin1String(".glb")))
                 dialog.findChildren<QComboBox*>()[0]->setCurrentIndex(
                     static_cast<int>(&model::cardFormat() - model::exportFormats().data()));
         };
         {
-            const test::FileStall stall(m_placeBytes.constData(), "fsync");
+            const test::FileStall stall(m_pathBytes.constData(), "fsync");
             trigger(action.constData());
             QVERIFY(m_answers->cancelled > 0);
             QCOMPARE(m_answers->said.size(), 1);
@@ -117,14 +117,14 @@ private Q_SLOTS:
     {
         QFETCH(QString, name);
         openOnce();
-        const QString file = QDir(m_place).filePath(name);
+        const QString file = QDir(m_server).filePath(name);
         {
             QFile there(file);
             QVERIFY(there.open(QIODevice::WriteOnly) && there.write("something") > 0);
         }
         const std::vector<model::HairGroup> before = session().document().committed().groups;
         {
-            const test::FileStall stall(m_placeBytes.constData());
+            const test::FileStall stall(m_pathBytes.constData());
             m_window->openFile(file);
             QVERIFY(m_answers->cancelled > 0);
             QCOMPARE(m_answers->said.size(), 1);

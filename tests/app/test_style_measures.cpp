@@ -132,8 +132,8 @@ void TestStyleMeasures::someHairsCrossOthers()
     QFETCH(QString, head);
     QFETCH(QString, style);
     // "Some hairs cross others. Not one style is made of parallels."
-    const double share = crossingShare(settled(head, style).fallen);
-    QVERIFY2(share > 0.25, qPrintable(QString::number(share)));
+    const double fraction = crossingFraction(settled(head, style).fallen);
+    QVERIFY2(fraction > 0.25, qPrintable(QString::number(fraction)));
 }
 
 void TestStyleMeasures::cutHairEnds()
@@ -181,7 +181,7 @@ void TestStyleMeasures::theCrownIsClosed()
     QFETCH(QString, style);
     // "The crown turns once and is closed"; no bald spot: of 400 squares of 3 mm not one.
     const Strands hairs = dense(head, style);
-    QCOMPARE(bareShare(hairs, (*headNamed(head)->landmarks)[sim::HeadLandmark::Crown]), 0.0);
+    QCOMPARE(bareFraction(hairs, (*headNamed(head)->landmarks)[sim::HeadLandmark::Crown]), 0.0);
 }
 
 void TestStyleMeasures::theOutlineFromBehindHasNoDent()

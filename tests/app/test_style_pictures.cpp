@@ -115,12 +115,12 @@ private Q_SLOTS:
             QVERIFY(file.open(QIODevice::WriteOnly) && file.write("precious") == 8);
         }
         std::optional<test::FileRefusal> refusal;
-        const QByteArray place = QFile::encodeName(cache);
+        const QByteArray encoded = QFile::encodeName(cache);
         QVERIFY(QFile::remove(cached));
         if (trouble == QLatin1String("read-only"))
-            refusal.emplace(place.constData(), test::FileRefusal::Why::ReadOnly);
+            refusal.emplace(encoded.constData(), test::FileRefusal::Why::ReadOnly);
         else if (trouble == QLatin1String("full"))
-            refusal.emplace(place.constData(), test::FileRefusal::Why::Full);
+            refusal.emplace(encoded.constData(), test::FileRefusal::Why::Full);
         else if (trouble == QLatin1String("links"))
             QVERIFY(QFile::link(precious, cached));
         else if (trouble == QLatin1String("pipes"))

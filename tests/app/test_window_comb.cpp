@@ -51,14 +51,14 @@ private Q_SLOTS:
             const auto there = head.skinAt(QPointF(middle)).value_or(sim::SurfacePoint{});
             area = onHead(there.uv.x, there.uv.y).first;
         }
-        const auto placeAt = [&](QPoint position) {
+        const auto pointAt = [&](QPoint position) {
             if (onTheHead)
                 return head.skinAt(QPointF(position)).value_or(sim::SurfacePoint{});
             const glm::vec2 uv = m_window->paintView().uvAt(QPointF(position));
             return session().document().project().head->skin->atUv(uv).value_or(sim::SurfacePoint{});
         };
-        const glm::vec3 wayHd = glm::normalize(placeAt(end).positionHd - placeAt(start).positionHd);
-        const glm::vec2 uv = placeAt((start + end) / 2).uv;
+        const glm::vec3 directionHd = glm::normalize(pointAt(end).positionHd - pointAt(start).positionHd);
+        const glm::vec2 uv = pointAt((start + end) / 2).uv;
 
         QTest::mouseMove(area, start);
         QTest::mousePress(area, Qt::LeftButton, {}, start);
@@ -71,8 +71,8 @@ private Q_SLOTS:
         QCOMPARE(stack().text(0), QStringLiteral("Comb on Direction"));
 
         const glm::vec3 laid = directionAt(uv);
-        QVERIFY2(glm::dot(glm::normalize(laid), wayHd) > 0.97F,
-                 qPrintable(QStringLiteral("%1").arg(glm::dot(glm::normalize(laid), wayHd))));
+        QVERIFY2(glm::dot(glm::normalize(laid), directionHd) > 0.97F,
+                 qPrintable(QStringLiteral("%1").arg(glm::dot(glm::normalize(laid), directionHd))));
         QVERIFY(std::abs(glm::length(laid) - 0.9F) < 0.05F);
         key(Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(glm::length(directionAt(uv)), 0.0F);

@@ -6,6 +6,7 @@
 #include "tests/support/test_program.h"
 #include "view/dialogs/cut_dialog.h"
 #include "view/head_area/head_overlay.h"
+#include "view/widgets/bar_slider.h"
 
 #include <QMenu>
 #include <QPointer>
@@ -33,22 +34,22 @@ private Q_SLOTS:
     void initTestCase() { prepareApplication(); }
     void cleanup() { m_window.reset(); }
 
-    /// Moving hair is placed as far as it is drawn; what is exported or saved has every hair.
+    /// Moving hair is positioned as far as it is drawn; what is exported or saved has every hair.
     void whatIsMadeOfMovingHairHasAllOfIt()
     {
         model::Project project = starterProject();
         project.wind = {.enabled = true, .velocity = {3.0F, 0.0F, 0.0F}, .gustiness = 0.5F, .turbulence = 0.3F};
         openWindow(std::move(project));
         awaitNewestHair();
-        const auto placed = [this] { return sim::placedDetail(*session().frame()); };
-        QTRY_VERIFY_WITH_TIMEOUT(placed() < 1.0F, kPatienceMs);
+        const auto detail = [this] { return sim::frameDetail(*session().frame()); };
+        QTRY_VERIFY_WITH_TIMEOUT(detail() < 1.0F, kPatienceMs);
         {
             const std::shared_ptr<const void> whole = session().wholeHair();
             QVERIFY(session().hair() == Session::Hair::Underway);
             QTRY_VERIFY_WITH_TIMEOUT(session().hair() == Session::Hair::Current, kPatienceMs);
-            QCOMPARE(placed(), 1.0F);
+            QCOMPARE(detail(), 1.0F);
         }
-        QTRY_VERIFY_WITH_TIMEOUT(placed() < 1.0F, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(detail() < 1.0F, kPatienceMs);
     }
 
     /// From a bald head: the menu, and what grows.
@@ -69,8 +70,8 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 500, kPatienceMs);
         QCOMPARE(stack().count(), 1);
         const auto density = map(model::MapKind::Density);
-        const auto at = [&](glm::vec3 placeHd) {
-            return density->sampleScalar(session().document().project().head->skin->nearest(placeHd).uv);
+        const auto at = [&](glm::vec3 positionHd) {
+            return density->sampleScalar(session().document().project().head->skin->nearest(positionHd).uv);
         };
         QVERIFY(at({0.005F, -0.095F, 0.1F}) > 0.9F && at({0.045F, -0.07F, 0.07F}) > 0.7F); // Chin and cheek.
         QVERIFY(at({0.01F, 0.06F, 0.1F}) == 0.0F && at({0.03F, 0.10F, 0.0F}) == 0.0F);
@@ -95,7 +96,7 @@ private Q_SLOTS:
             return turned / static_cast<double>(before.size());
         };
         QTRY_VERIFY_WITH_TIMEOUT(blown() > 0.05, kPatienceMs);
-        // So that what is held is what is compared with: no frame is on its way any more.
+        // So that what is held is what is compared with: no frame is still to come.
         session().setPaused(true);
         QTRY_VERIFY_WITH_TIMEOUT(session().resting(), kPatienceMs);
         const model::LyingField field(model::lyingHairs(session().frame()->groups.front(), session().frame()->pose));
@@ -170,6 +171,60 @@ private Q_SLOTS:
         QCOMPARE(stack().undoText(), QStringLiteral("Cut hair to a level"));
         QVERIFY(*map(model::MapKind::Length) == *shown);
         QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatienceMs);
+        session().document().undo();
+        QVERIFY(*map(model::MapKind::Length) == *length);
+    }
+
+    void hairIsTrimmedLayeredAndFadedInOneStep_data()
+    {
+        QTest::addColumn<QByteArray>("style");
+        QTest::addColumn<QByteArray>("command");
+        QTest::addColumn<QString>("step");
+        QTest::newRow("trim") << QByteArray("bob") << QByteArray("hair.trim") << QStringLiteral("Trim hair");
+        QTest::newRow("layers") << QByteArray("long-straight") << QByteArray("hair.layers")
+                                << QStringLiteral("Cut layers");
+        QTest::newRow("fade") << QByteArray("side-part") << QByteArray("hair.fade") << QStringLiteral("Cut a fade");
+    }
+    void hairIsTrimmedLayeredAndFadedInOneStep()
+    {
+        QFETCH(QByteArray, style);
+        QFETCH(QByteArray, command);
+        QFETCH(QString, step);
+        openWithStyle(style.constData());
+        const auto length = map(model::MapKind::Length);
+        const auto mean = [this] {
+            double sum = 0.0;
+            const auto now = map(model::MapKind::Length);
+            for (int y = 0; y < now->size(); y += 8)
+                for (int x = 0; x < now->size(); x += 8)
+                    sum += now->texel(x, y)[0];
+            return sum;
+        };
+        const double before = mean();
+        const auto dialog = [this] { return m_window->findChild<view::CutDialog*>(); };
+        const auto press = [&](const QString& text) {
+            for (QPushButton* button : dialog()->findChildren<QPushButton*>())
+                if (button->text() == text)
+                    return QTest::mouseClick(button, Qt::LeftButton);
+            QFAIL(qPrintable(text));
+        };
+        for (const bool keeps : {false, true}) {
+            action(command.constData()).trigger();
+            QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, kPatienceMs);
+            // As it opens it cuts; the first slider, by key, cuts otherwise.
+            const double opened = mean();
+            QVERIFY(opened < before);
+            auto* slider = dialog()->findChild<view::BarSlider*>();
+            slider->setFocus();
+            QTest::keyClick(slider, Qt::Key_Left);
+            const auto shown = map(model::MapKind::Length);
+            QVERIFY(mean() != opened);
+            press(keeps ? QStringLiteral("Cut") : QStringLiteral("Cancel"));
+            QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatienceMs);
+            QVERIFY(*map(model::MapKind::Length) == (keeps ? *shown : *length));
+            QCOMPARE(stack().count(), keeps ? 1 : 0);
+        }
+        QCOMPARE(stack().undoText(), step);
         session().document().undo();
         QVERIFY(*map(model::MapKind::Length) == *length);
     }

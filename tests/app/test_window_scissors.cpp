@@ -3,6 +3,7 @@
 #include "tests/model/side_view.h"
 #include "tests/support/test_program.h"
 #include "view/head_area/head_overlay.h"
+#include "view/head_area/turn_hint.h"
 
 #include <algorithm>
 
@@ -91,7 +92,7 @@ private Q_SLOTS:
         const sim::GroupFrame& was = before->groups.front();
         std::vector<double> endsM;
         for (std::uint32_t slot = 0; slot < was.groom->roots->count(); ++slot) {
-            if (!was.places(slot) || !hair().groom->isDrawn(slot))
+            if (!was.isPositioned(slot) || !hair().groom->isDrawn(slot))
                 continue;
             if (!test::isSame(was.groom->style(slot), hair().groom->style(slot)))
                 endsM.push_back(static_cast<double>(test::drawnPoints(hair(), slot).back().y));
@@ -107,6 +108,17 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(overlay->falling().empty(), kPatienceMs);
         key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(*lengths() == *lengthsBefore);
+    }
+
+    void theSignThatTellsHowToTurnTheHeadGoesWhileScissorsAreInHand()
+    {
+        openWithStyle("bob");
+        const auto* sign = head().findChild<view::TurnHint*>();
+        QVERIFY(sign != nullptr && sign->isVisible());
+        key(Qt::Key_K);
+        QVERIFY(!sign->isVisible());
+        key(Qt::Key_B);
+        QVERIFY(sign->isVisible());
     }
 
     void escapeLeavesNoTraceAndTheFlatMapSaysWhereToCut()

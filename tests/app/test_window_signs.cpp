@@ -92,7 +92,7 @@ private Q_SLOTS:
         QVERIFY(status->savedText().contains(QStringLiteral("Not saved")));
     }
 
-    void pausedHairIsMarkedInBothPlaces()
+    void pausedHairIsMarkedInBothAreas()
     {
         openWindow(model::newProject());
         const auto tells = [](const QWidget* widget) {

@@ -81,6 +81,22 @@ private:
                     texels.emplace_back(x, y);
         return texels;
     }
+    /// Of the 3D area, where the skin has hair.
+    [[nodiscard]] QPoint hairyPoint()
+    {
+        const auto density = map(MapKind::Density);
+        for (int y = 20; y < m_head->height(); y += 6)
+            for (int x = 20; x < m_head->width() - 20; x += 6) {
+                const auto isHairy = [&](QPoint at) {
+                    const auto skin = m_window->headView().skinAt(at);
+                    return skin && density->sampleScalar(skin->uv) > 0.5F && std::abs(skin->positionHd.x) > 0.03F;
+                };
+                if (isHairy({x, y}) && isHairy({x, y + 20}))
+                    return {x, y};
+            }
+        return {};
+    }
+    [[nodiscard]] static glm::vec2 otherSide(glm::vec2 uv) { return {1.0F - uv.x, uv.y}; }
     void strokeTo(QPoint to, bool release = true)
     {
         QTest::mouseMove(m_head, m_at);
@@ -168,6 +184,145 @@ private Q_SLOTS:
         QCOMPARE(after->sampleNearest(below), before->sampleNearest(below));
         session().document().undo();
         QVERIFY(differing(*before, *map(MapKind::Direction)).empty());
+    }
+
+    void fingersChangeTheStrandsThatTheyMeet_data()
+    {
+        QTest::addColumn<model::FingerKind>("kind");
+        QTest::addColumn<MapKind>("changed");
+        QTest::addColumn<TouchKind>("touch");
+        QTest::addColumn<bool>("mirrored");
+        using enum model::FingerKind;
+        QTest::newRow("puff, hair") << Puff << MapKind::Direction << TouchKind::Hair << false;
+        QTest::newRow("puff, skin") << Puff << MapKind::Direction << TouchKind::Skin << false;
+        QTest::newRow("pinch, hair, mirrored") << Pinch << MapKind::Clump << TouchKind::Hair << true;
+        QTest::newRow("pinch, skin, mirrored") << Pinch << MapKind::Clump << TouchKind::Skin << true;
+        QTest::newRow("spread, hair") << Spread << MapKind::Clump << TouchKind::Hair << false;
+        QTest::newRow("spread, skin, mirrored") << Spread << MapKind::Clump << TouchKind::Skin << true;
+        QTest::newRow("smooth, hair, mirrored") << Smooth << MapKind::Direction << TouchKind::Hair << true;
+        QTest::newRow("smooth, skin") << Smooth << MapKind::Direction << TouchKind::Skin << false;
+    }
+
+    void fingersChangeTheStrandsThatTheyMeet()
+    {
+        QFETCH(model::FingerKind, kind);
+        QFETCH(MapKind, changed);
+        QFETCH(TouchKind, touch);
+        QFETCH(bool, mirrored);
+        using enum model::FingerKind;
+        openWithLongHair();
+        if (touch == TouchKind::Skin)
+            m_at = hairyPoint();
+        editor().options().setMirror(mirrored);
+        key(Qt::Key_R);
+        QCOMPARE(editor().tools().active().id(), model::ToolId::Fingers);
+        setTools(model::ToolId::Fingers, touch);
+        model::ToolSettings settings = editor().tools().settings();
+        settings.fingers = kind;
+        editor().tools().setSettings(settings);
+        const auto all = [this] {
+            std::vector<std::shared_ptr<const sim::TiledRaster>> maps;
+            for (const model::MapSpec& spec : model::mapSpecs())
+                maps.push_back(map(spec.kind));
+            return maps;
+        };
+        const auto same = [](const auto& a, const auto& b) {
+            return std::ranges::equal(a, b, [](const auto& one, const auto& other) { return *one == *other; });
+        };
+        const glm::vec2 below = m_window->headView().skinAt(m_at)->uv;
+        const std::vector<model::SeenStrand> strands = seenHair()->under(m_at, 3.0);
+        const auto before = all();
+        const int steps = stack().count();
+        strokeTo(m_at + QPoint(0, 20), false);
+        const auto preview = all();
+        QVERIFY(!same(before, preview));
+        QTest::mouseRelease(m_head, Qt::LeftButton, {}, m_at + QPoint(0, 20));
+        QVERIFY(same(preview, all()));
+        QCOMPARE(stack().count(), steps + 1);
+        const auto was = before[sim::indexOf(changed)];
+        const auto is = map(changed);
+        const bool atBelow = is->sampleNearest(below) != was->sampleNearest(below);
+        QCOMPARE(atBelow, touch == TouchKind::Skin);
+        if (touch == TouchKind::Hair) {
+            QVERIFY(!strands.empty());
+            const auto turned = std::ranges::count_if(strands, [&](const model::SeenStrand& one) {
+                return is->sampleNearest(one.root.uv) != was->sampleNearest(one.root.uv) &&
+                       (!mirrored ||
+                        is->sampleNearest(otherSide(one.root.uv)) != was->sampleNearest(otherSide(one.root.uv)));
+            });
+            // What is even stays.
+            QVERIFY2((kind == Smooth ? 10U : 2U) * static_cast<std::size_t>(turned) > strands.size(),
+                     qPrintable(QStringLiteral("%1 of %2").arg(turned).arg(strands.size())));
+        }
+        const auto flatness = [&](const sim::TiledRaster& direction, glm::vec2 uv) {
+            return glm::length(sim::directionOf(direction.sampleNearest(uv)));
+        };
+        const glm::vec2 there = touch == TouchKind::Hair ? strands.front().root.uv : below;
+        if (kind == Puff)
+            QVERIFY(flatness(*is, there) < 0.8F * flatness(*was, there));
+        if (kind == Pinch)
+            QVERIFY(is->sampleScalar(there) > was->sampleScalar(there));
+        if (kind == Spread)
+            QVERIFY(is->sampleScalar(there) < was->sampleScalar(there));
+        session().document().undo();
+        QVERIFY(same(before, all()));
+    }
+
+    void guidesAreBentByTheirNodes_data()
+    {
+        QTest::addColumn<bool>("mirrored");
+        QTest::newRow("one side") << false;
+        QTest::newRow("mirrored") << true;
+    }
+    void guidesAreBentByTheirNodes()
+    {
+        QFETCH(bool, mirrored);
+        openWithLongHair();
+        editor().options().setMirror(mirrored);
+        setTools(model::ToolId::Grab, TouchKind::Seen);
+        model::ToolSettings settings = editor().tools().settings();
+        settings.grab = model::GrabKind::Guides;
+        settings.brushSizeM = 0.03F;
+        editor().tools().setSettings(settings);
+        QTest::mouseMove(m_head, m_at + QPoint(0, 1));
+        QTest::mouseMove(m_head, m_at);
+        const std::vector<model::GuideStrand> guides = editor().tools().active().guides();
+        QVERIFY(guides.size() >= 6 && guides.size() <= 30);
+        const auto* overlay = m_window->headView().findChild<view::HeadOverlay*>();
+        QCOMPARE(overlay->guides().size(), guides.size());
+        // A node in the middle of the first, wherever it is seen.
+        const QPoint node = m_window->headView().positionOf(guides.front().nodesHd[4]).value().toPoint();
+        const auto lengths = map(MapKind::Length);
+        const auto directions = map(MapKind::Direction);
+        const auto gel = map(MapKind::Gel);
+        const int steps = stack().count();
+        m_at = node;
+        strokeTo(node + QPoint(30, -20), false);
+        const std::vector<model::GuideStrand> bent = editor().tools().active().guides();
+        const auto held = std::ranges::find_if(bent, &model::GuideStrand::held);
+        QVERIFY(held != bent.end());
+        const auto lengthM = [](const model::GuideStrand& guide) {
+            float sumM = 0.0F;
+            for (std::size_t i = 1; i < guide.nodesHd.size(); ++i)
+                sumM += glm::distance(guide.nodesHd[i - 1], guide.nodesHd[i]);
+            return sumM;
+        };
+        const auto was = std::ranges::find_if(
+            guides, [&](const model::GuideStrand& one) { return one.root.positionHd == held->root.positionHd; });
+        QVERIFY(was != guides.end());
+        QVERIFY(std::abs(lengthM(*was) - lengthM(*held)) < 1e-4F);
+        const auto preview = map(MapKind::Direction);
+        QVERIFY(*preview != *directions);
+        QTest::mouseRelease(m_head, Qt::LeftButton, {}, node + QPoint(30, -20));
+        QVERIFY(*map(MapKind::Direction) == *preview);
+        QVERIFY(*map(MapKind::Length) == *lengths);
+        QVERIFY(map(MapKind::Gel)->sampleScalar(held->root.uv) > gel->sampleScalar(held->root.uv));
+        const glm::vec2 root = mirrored ? otherSide(held->root.uv) : held->root.uv;
+        QVERIFY(map(MapKind::Direction)->sampleNearest(root) != directions->sampleNearest(root));
+        QCOMPARE(stack().count(), steps + 1);
+        session().document().undo();
+        QVERIFY(*map(MapKind::Direction) == *directions);
+        QVERIFY(*map(MapKind::Gel) == *gel);
     }
 
     void theStrandsThatAreMeantAreShown()

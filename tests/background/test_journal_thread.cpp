@@ -124,7 +124,7 @@ void TestJournalThread::whatCouldNotBeWrittenIsNeverTakenForKept()
     }
     if (const auto work = left(root.path()))
         stepsFound = work->current;
-    QCOMPARE(stepsFound, 3U); // With the way back.
+    QCOMPARE(stepsFound, 3U); // With what undoes them.
 #endif
 }
 

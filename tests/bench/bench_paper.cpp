@@ -2,9 +2,9 @@
 // drawing. README.md beside this file has them beside the paper's.
 //
 // paper_table_2/hairs:H/springs:S: H straight hairs of 5 nodes, all solved; S 1: by damped springs and Euler's method.
-// paper_table_3/hairs:H/basis:B/one:O: H straight hairs of which B are solved, placed around three basis hairs; O 1: by
-// algorithm 3 as published, each after the displacement of one. paper_table_4/hairs:H/basis:B/curl:C: the same, and
-// with curl 4 the points of its curves.
+// paper_table_3/hairs:H/basis:B/one:O: H straight hairs of which B are solved, positioned around three basis hairs; O
+// 1: by algorithm 3 as published, each after the displacement of one. paper_table_4/hairs:H/basis:B/curl:C: the same,
+// and with curl 4 the points of its curves.
 #include "bench_scene.h"
 
 #include "sim/base/parallel.h"
@@ -195,7 +195,7 @@ void evaluateCurves(const sim::GroupFrame& frame, std::vector<float>& sums)
         const std::span<glm::vec3> skeleton = std::span(nodes).first(static_cast<std::size_t>(groom.nodes));
         std::vector<glm::vec3> points;
         for (std::size_t slot = begin * sim::kChunkSlots; slot < end * sim::kChunkSlots; ++slot) {
-            if (!frame.places(slot))
+            if (!frame.isPositioned(slot))
                 continue;
             groom.blocks().read(frame.positions, groom.frameStrand(slot), skeleton);
             const sim::StrandStyle& style = groom.style(slot);

@@ -26,12 +26,12 @@ public:
     {
         const sim::GroupFrame& group = m_frame->groups.front();
         for (std::uint32_t slot = 0; slot < group.groom->roots->count(); ++slot)
-            if (group.places(slot))
+            if (group.isPositioned(slot))
                 m_met.push_back({.root = {}, .lengthM = 1.0F, .slot = slot});
-        placed = m_met.size();
+        positioned = m_met.size();
         const std::vector<glm::vec3>& roots = group.groom->roots->positionHd;
         std::ranges::sort(m_met, std::greater(), [&](const model::SeenStrand& one) { return roots[one.slot].z; });
-        m_met.resize(placed / 10);
+        m_met.resize(positioned / 10);
     }
     [[nodiscard]] std::vector<model::SeenStrand> under(QPointF /*centre*/, double /*radiusPx*/) const override
     {
@@ -59,7 +59,7 @@ public:
     [[nodiscard]] std::shared_ptr<const SeenHair> held() const override { return std::make_shared<Front>(*this); }
     [[nodiscard]] const sim::GroupFrame* hair() const override { return &m_frame->groups.front(); }
 
-    std::size_t placed = 0;
+    std::size_t positioned = 0;
 
 private:
     std::shared_ptr<const sim::StrandFrame> m_frame;
@@ -101,8 +101,8 @@ void scissorsMove(benchmark::State& state)
         hand.movePicture({.position = {300.0, y}}, context);
     }
     (*scissors)->cancel(context);
-    state.counters["hairs"] = static_cast<double>(front.placed);
-    state.counters["cut"] = static_cast<double>(front.placed) / 10.0;
+    state.counters["hairs"] = static_cast<double>(front.positioned);
+    state.counters["cut"] = static_cast<double>(front.positioned) / 10.0;
 }
 
 BENCHMARK(scissorsMove)->Name("scissors_move")->ArgName("mirror")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);

@@ -12,7 +12,7 @@ class Handler(http.server.SimpleHTTPRequestHandler):
     """Serves the page, the model and the packages; takes the result."""
 
     def translate_path(self, path):
-        return str(self.server.places.get(path, self.server.packages / path.split("?")[0].lstrip("/")))
+        return str(self.server.files.get(path, self.server.packages / path.split("?")[0].lstrip("/")))
 
     def do_POST(self):
         self.server.found = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
@@ -27,7 +27,7 @@ class Handler(http.server.SimpleHTTPRequestHandler):
 def seen_in_browser(page, model, folder):
     """What the page sends; `folder` has node_modules, and gets the browser's own files."""
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    server.places, server.packages = {"/": page, "/model.glb": model}, folder
+    server.files, server.packages = {"/": page, "/model.glb": model}, folder
     server.found, server.done = {"error": "the page sent nothing"}, threading.Event()
     Handler.extensions_map = Handler.extensions_map | {".html": "text/html", ".js": "text/javascript"}
     threading.Thread(target=server.serve_forever, daemon=True).start()

@@ -80,7 +80,7 @@ def check_obj(judge, style, counts, points):
     judge.check(f"{style}: Blender reads as many points of the OBJ", len(positions) == len(points))
     judge.check(f"{style}: and as many segments", sum(i["edges"] for i in objects) == len(points) - len(counts))
     upright = [(x, -z, y) for x, y, z in points]  # In Blender z is up.
-    judge.check(f"{style}: at the same places", farthest(positions, upright) < NEAR, farthest(positions, upright))
+    judge.check(f"{style}: at the same positions", farthest(positions, upright) < NEAR, farthest(positions, upright))
     judge.check(f"{style}: with colours", bool(objects) and all(i["colours"] == 1 for i in objects))
 
 
@@ -99,7 +99,7 @@ def check_addon(judge, style, counts, points):
         upright = [(x, -z, y) for x, y, z in points]
         away = farthest(made["positions"], upright)
         judge.check(f"{style}: as many, with as many points", made["sizes"] == counts)
-        judge.check(f"{style}: at the same places", away < NEAR, away)
+        judge.check(f"{style}: at the same positions", away < NEAR, away)
         judge.check(f"{style}: as thin as hair", 5e-6 < max(made["radius"]) < 2e-4, max(made["radius"]))
         judge.check(f"{style}: with colour and material",
                     len(made["colour"]) == len(points) and made["materials"] == ["Hair"])
@@ -251,10 +251,10 @@ def check_usd(judge, style, counts, points):
         judge.check(f"{style}: tinyusdz reads the USD text for {target}", read["ok"] and not read["error"], read["error"])
         strands = read["text"].split('def BasisCurves "Guides"')[0]
         flat = numbers_of(strands, "point3f[] points")
-        places = list(zip(flat[0::3], flat[1::3], flat[2::3]))
-        away = farthest(places, [turn(p) for p in points])
+        made = list(zip(flat[0::3], flat[1::3], flat[2::3]))
+        away = farthest(made, [turn(p) for p in points])
         judge.check(f"{style}: with the same curves", numbers_of(strands, "curveVertexCounts") == counts)
-        judge.check(f"{style}: at the same places", away < (NEAR if target == "any" else 100 * NEAR), away)
+        judge.check(f"{style}: at the same positions", away < (NEAR if target == "any" else 100 * NEAR), away)
         judge.check(f"{style}: with Unreal's attributes",
                     all(len(numbers_of(strands, f"primvars:groom_{name}")) == width * len(counts)
                         for name, width in (("id", 1), ("root_uv", 2), ("width", 1))))

@@ -29,12 +29,12 @@ def read_strands(path):
     strands, points = struct.unpack_from("<II", data, 4)
     counts = np.frombuffer(data, "<u2", strands, 128).astype(int) + 1
     at = 128 + 2 * strands
-    places = np.frombuffer(data, "<f4", 3 * points, at).reshape(-1, 3)
+    positions = np.frombuffer(data, "<f4", 3 * points, at).reshape(-1, 3)
     widths = np.frombuffer(data, "<f4", points, at + 12 * points)
     colours = np.frombuffer(data, "<f4", 3 * points, at + 20 * points).reshape(-1, 3)
     thinner = max(1, strands // MOST_STRANDS)
     chosen = np.repeat(np.arange(strands) % thinner == 0, counts)
-    return (counts[::thinner], places[chosen].astype(float), thinner * widths[chosen].astype(float),
+    return (counts[::thinner], positions[chosen].astype(float), thinner * widths[chosen].astype(float),
             colours[chosen].astype(float))
 
 
@@ -79,9 +79,9 @@ class Cards:
         return np.ndarray((accessor["count"], width), kind, self.bin, start, (stride, 4))
 
 
-def projected(places, side, centre, scale):
+def projected(positions, side, centre, scale):
     turn = np.radians(SIDES[side])
-    moved = places - centre
+    moved = positions - centre
     x = (moved[..., 0] * np.cos(turn) - moved[..., 2] * np.sin(turn)) * scale + PIXELS * FINER / 2
     y = PIXELS * FINER / 2 - moved[..., 1] * scale
     return x, y, moved[..., 0] * np.sin(turn) + moved[..., 2] * np.cos(turn)
@@ -94,12 +94,12 @@ def means(values):
 
 
 def draw_strands(strands, side, centre, scale):
-    counts, places, widths, colours = strands
+    counts, positions, widths, colours = strands
     ends = np.cumsum(counts)
-    begin = np.ones(len(places), bool)
+    begin = np.ones(len(positions), bool)
     begin[ends - 1] = False
     first = np.flatnonzero(begin)
-    x, y, towards = projected(places, side, centre, scale)
+    x, y, towards = projected(positions, side, centre, scale)
     steps = max(1, int(np.ceil(np.hypot(x[first + 1] - x[first], y[first + 1] - y[first]).max())))
     steps = min(steps, 24)
     size = PIXELS * FINER
@@ -171,8 +171,8 @@ def shown(alpha, seen):
 
 
 def compare(strands, cards, sides=tuple(SIDES)):
-    places = strands[1]
-    low, high = places.min(axis=0), places.max(axis=0)
+    positions = strands[1]
+    low, high = positions.min(axis=0), positions.max(axis=0)
     centre, extent = (low + high) / 2, max(high[1] - low[1], np.hypot(high[0] - low[0], high[2] - low[2]))
     scale = 0.94 * PIXELS * FINER / extent
     found, rows = {}, []

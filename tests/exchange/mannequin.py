@@ -12,13 +12,13 @@ DROOP = 0.7
 JOINTS = [("pelvis", -1, (0, .95, 0)), ("spine_01", 0, (0, 1.05, 0)), ("spine_02", 1, (0, 1.15, 0)),
           ("spine_03", 2, (0, 1.25, 0)), ("neck_01", 3, (0, 1.42, 0)), ("head", 4, (0, 1.5, 0))]
 HEAD = 5
-for letter, way in (("l", 1), ("r", -1)):
+for letter, sign in (("l", 1), ("r", -1)):
     at = len(JOINTS)
-    reach = lambda d: (way * (.18 + d * math.cos(DROOP)), 1.4 - d * math.sin(DROOP), 0)
-    JOINTS += [(f"clavicle_{letter}", 3, (way * .05, 1.4, 0)), (f"upperarm_{letter}", at, reach(0)),
+    reach = lambda d: (sign * (.18 + d * math.cos(DROOP)), 1.4 - d * math.sin(DROOP), 0)
+    JOINTS += [(f"clavicle_{letter}", 3, (sign * .05, 1.4, 0)), (f"upperarm_{letter}", at, reach(0)),
                (f"lowerarm_{letter}", at + 1, reach(.27)), (f"hand_{letter}", at + 2, reach(.52)),
-               (f"thigh_{letter}", 0, (way * .1, .9, 0)), (f"calf_{letter}", at + 4, (way * .1, .5, 0)),
-               (f"foot_{letter}", at + 5, (way * .1, .08, 0))]
+               (f"thigh_{letter}", 0, (sign * .1, .9, 0)), (f"calf_{letter}", at + 4, (sign * .1, .5, 0)),
+               (f"foot_{letter}", at + 5, (sign * .1, .08, 0))]
 
 
 def turn_of(index):
@@ -85,10 +85,10 @@ def body():
 
 def nodes_of(first):
     nodes = []
-    for index, (name, parent, place) in enumerate(JOINTS):
+    for index, (name, parent, position) in enumerate(JOINTS):
         above = turn_of(parent) if parent >= 0 else (0, 0, 0, 1)
         start = JOINTS[parent][2] if parent >= 0 else (0, 0, 0)
-        node = {"name": name, "translation": turned(back(above), [p - q for p, q in zip(place, start)]),
+        node = {"name": name, "translation": turned(back(above), [p - q for p, q in zip(position, start)]),
                 "rotation": product(back(above), turn_of(index))}
         children = [first + i for i, (_, other, _) in enumerate(JOINTS) if other == index]
         if children:
@@ -101,8 +101,8 @@ def inverse_bind(index):
     """Column by column."""
     q = back(turn_of(index))
     columns = [(*turned(q, axis), 0) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
-    place = turned(q, [-p for p in JOINTS[index][2]])
-    return [number for column in columns for number in column] + [*place, 1]
+    position = turned(q, [-p for p in JOINTS[index][2]])
+    return [number for column in columns for number in column] + [*position, 1]
 
 
 def main():

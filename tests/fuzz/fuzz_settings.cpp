@@ -1,5 +1,5 @@
 // settings.json: whatever lies there, the program starts with values that it can work with, and keeps what it is told.
-#include "app/settings/dialog_places.h"
+#include "app/settings/dialog_positions.h"
 #include "app/settings/settings.h"
 #include "app/settings/tool_memory.h"
 #include "model/document/document.h"
@@ -61,7 +61,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require(isWithin(picture.size.width(), picture.kLeastPx, picture.kMostPx) &&
                   isWithin(picture.size.height(), picture.kLeastPx, picture.kMostPx) && picture.colour.isValid() &&
                   isWithin(picture.samples, 1, 16));
-    if (const std::optional<QPoint> corner = settings.dialogPlace(QStringLiteral("export"))) {
+    if (const std::optional<QPoint> corner = settings.dialogPosition(QStringLiteral("export"))) {
         constexpr int kFarthestPx = 1'000'000;
         fuzz::require(isWithin(corner->x(), -kFarthestPx, kFarthestPx) &&
                       isWithin(corner->y(), -kFarthestPx, kFarthestPx));

@@ -21,9 +21,9 @@ inline QByteArray archiveOf(Input& input, const char* mimetype)
     if (form == ArchiveForm::AsItIs)
         return input.rest();
     const int spoilt = form == ArchiveForm::MadeAndSpoilt ? input.byte() % 8 : 0;
-    QByteArray places;
+    QByteArray offsets;
     for (int i = 0; i < spoilt; ++i)
-        places += input.take(5);
+        offsets += input.take(5);
     std::vector<test::ZipEntry> entries{{.name = "mimetype", .bytes = mimetype},
                                         {.name = "project.json", .bytes = input.piece()},
                                         {.name = "head.glb", .bytes = input.piece()}};
@@ -35,8 +35,8 @@ inline QByteArray archiveOf(Input& input, const char* mimetype)
         entries.push_back({.name = name, .bytes = input.piece()});
     }
     QByteArray bytes = test::makeZip(entries);
-    for (qsizetype i = 0; i + 5 <= places.size(); i += 5)
-        bytes[qFromLittleEndian<quint32>(places.constData() + i) % bytes.size()] = places[i + 4];
+    for (qsizetype i = 0; i + 5 <= offsets.size(); i += 5)
+        bytes[qFromLittleEndian<quint32>(offsets.constData() + i) % bytes.size()] = offsets[i + 4];
     return bytes;
 }
 

@@ -75,7 +75,7 @@ private Q_SLOTS:
     void uvTrianglesDoNotOverlap();
     void scalpIsScaledEvenly();
     void scalpIsHardlyStretched();
-    void scalpHasItsShareOfTheLayout();
+    void scalpHasItsFractionOfTheLayout();
     void fineMeshKeepsEveryCarryingVertex();
     void aBuiltInHeadTakesLessThanTwoMegabytes();
     void displacementsAreOneForEachEdge();
@@ -328,7 +328,7 @@ void TestBust::scalpIsHardlyStretched()
     QVERIFY(worst < (file == QLatin1StringView(kFine) ? 2.1 : 2.0));
 }
 
-void TestBust::scalpHasItsShareOfTheLayout()
+void TestBust::scalpHasItsFractionOfTheLayout()
 {
     double scalp = 0.0;
     double all = 0.0;

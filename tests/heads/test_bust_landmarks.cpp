@@ -74,8 +74,8 @@ private:
 private Q_SLOTS:
     void initTestCase_data();
     void initTestCase();
-    void regionsCoverTheRightPlaces_data();
-    void regionsCoverTheRightPlaces();
+    void regionsCoverTheRightSkin_data();
+    void regionsCoverTheRightSkin();
     void regionsDoNotOverlap();
     void regionsAreSymmetric();
     void distancesAreMetresAlongTheSkin();
@@ -104,7 +104,7 @@ void TestBustLandmarks::initTestCase()
     }
 }
 
-void TestBustLandmarks::regionsCoverTheRightPlaces_data()
+void TestBustLandmarks::regionsCoverTheRightSkin_data()
 {
     QTest::addColumn<int>("x"); // millimetres, on the skin
     QTest::addColumn<int>("y");
@@ -137,7 +137,7 @@ void TestBustLandmarks::regionsCoverTheRightPlaces_data()
     QTest::newRow("chest") << 0 << -260 << 39 << false << false << false;
 }
 
-void TestBustLandmarks::regionsCoverTheRightPlaces()
+void TestBustLandmarks::regionsCoverTheRightSkin()
 {
     QFETCH(int, x);
     QFETCH(int, y);
@@ -148,7 +148,7 @@ void TestBustLandmarks::regionsCoverTheRightPlaces()
             return glm::distance(a, wanted) < glm::distance(b, wanted);
         });
     QVERIFY2(glm::distance(p, wanted) < 0.008F,
-             qPrintable(u"the place is %1 m off the skin"_s.arg(glm::distance(p, wanted))));
+             qPrintable(u"the point is %1 m off the skin"_s.arg(glm::distance(p, wanted))));
     QTEST(regions().scalpDistance(p) > 0.0F, "scalp");
     QTEST(regions().browDistance(p) > 0.0F, "brow");
     QTEST(regions().beardDistance(p) > 0.0F, "beard");

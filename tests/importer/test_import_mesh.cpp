@@ -229,7 +229,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("uri");
         QTest::addColumn<bool>("isLinked");
-        QTest::newRow("named by the way there") << QStringLiteral("../outside/buffer.bin") << false;
+        QTest::newRow("named by its path") << QStringLiteral("../outside/buffer.bin") << false;
         QTest::newRow("named by its whole path") << QStringLiteral("/outside/buffer.bin") << false;
         QTest::newRow("of a name that nothing has") << QStringLiteral("../outside/none.bin") << false;
         QTest::newRow("behind a link in the folder") << QStringLiteral("link.bin") << true;

@@ -76,7 +76,7 @@ private Q_SLOTS:
         const float nan = std::numeric_limits<float>::quiet_NaN();
         QTest::newRow("a parent after its child") << Spoil([](auto& s) { s.joints[2].parent = 5; });
         QTest::newRow("a second root") << Spoil([](auto& s) { s.joints[2].parent = -1; });
-        QTest::newRow("a place that is no number") << Spoil([nan](auto& s) { s.joints[2].translation.x = nan; });
+        QTest::newRow("a position that is no number") << Spoil([nan](auto& s) { s.joints[2].translation.x = nan; });
         QTest::newRow("a rotation of no length") << Spoil([](auto& s) { s.joints[2].rotation = {0, 0, 0, 0}; });
         QTest::newRow("a control character") << Spoil([](auto& s) { s.joints[2].name = "a\x1B"; });
         QTest::newRow("a name too long") << Spoil([](auto& s) { s.joints[2].name.assign(65, 'a'); });

@@ -19,9 +19,9 @@ struct HeadStudio : Studio
         return project;
     }
     [[nodiscard]] const sim::Skin& skin() { return *document.project().head->skin; }
-    [[nodiscard]] ToolEvent eventAt(glm::vec3 placeHd, float pressure = 1.0F)
+    [[nodiscard]] ToolEvent eventAt(glm::vec3 positionHd, float pressure = 1.0F)
     {
-        const sim::SurfacePoint point = skin().nearest(placeHd);
+        const sim::SurfacePoint point = skin().nearest(positionHd);
         return {.area = Area::Head, .uv = point.uv, .point = point, .pressure = pressure};
     }
     using Studio::layer;
@@ -30,14 +30,14 @@ struct HeadStudio : Studio
         const LayerAddress at = firstLayer(document, kind);
         return document.project().layer(at.group, at.map, at.layer)->raster;
     }
-    [[nodiscard]] sim::Texel texelAt(glm::vec3 placeHd, MapKind kind = MapKind::Direction)
+    [[nodiscard]] sim::Texel texelAt(glm::vec3 positionHd, MapKind kind = MapKind::Direction)
     {
-        return layer(kind).sampleNearest(skin().nearest(placeHd).uv);
+        return layer(kind).sampleNearest(skin().nearest(positionHd).uv);
     }
     /// Hd.
-    [[nodiscard]] glm::vec3 directionAt(glm::vec3 placeHd)
+    [[nodiscard]] glm::vec3 directionAt(glm::vec3 positionHd)
     {
-        const sim::SurfacePoint point = skin().nearest(placeHd);
+        const sim::SurfacePoint point = skin().nearest(positionHd);
         return sim::SkinFrame::at(point).toHd(sim::directionOf(layer(MapKind::Direction).sampleNearest(point.uv)));
     }
 };

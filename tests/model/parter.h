@@ -31,39 +31,39 @@ struct Parter : HeadStudio
         for (int texel = 0; bareFromZ < 1.0F && texel < size * size; ++texel) {
             const glm::ivec2 at(texel % size, texel / size);
             const glm::vec2 uv = (glm::vec2(at) + 0.5F) / static_cast<float>(size);
-            const auto place = project.head->skin->atUv({uv.x, 1.0F - uv.y});
-            if (place && place->positionHd.z >= bareFromZ)
+            const auto point = project.head->skin->atUv({uv.x, 1.0F - uv.y});
+            if (point && point->positionHd.z >= bareFromZ)
                 density.setTexel(at.x, at.y, {0, 65535, 0, 0});
         }
         return project;
     }
-    [[nodiscard]] ToolEvent eventAt(glm::vec3 placeHd)
+    [[nodiscard]] ToolEvent eventAt(glm::vec3 positionHd)
     {
-        ToolEvent event = HeadStudio::eventAt(placeHd);
+        ToolEvent event = HeadStudio::eventAt(positionHd);
         event.seconds = seconds;
         return event;
     }
-    void press(glm::vec3 placeHd)
+    void press(glm::vec3 positionHd)
     {
         ToolContext now = context();
-        tool.press(eventAt(placeHd), now);
+        tool.press(eventAt(positionHd), now);
     }
-    void move(glm::vec3 placeHd)
+    void move(glm::vec3 positionHd)
     {
         ToolContext now = context();
-        tool.move(eventAt(placeHd), now);
+        tool.move(eventAt(positionHd), now);
     }
-    void release(glm::vec3 placeHd)
+    void release(glm::vec3 positionHd)
     {
         ToolContext now = context();
-        tool.release(eventAt(placeHd), now);
+        tool.release(eventAt(positionHd), now);
     }
     /// Not one that makes a double click with the last one.
-    void click(glm::vec3 placeHd)
+    void click(glm::vec3 positionHd)
     {
         seconds += 10.0;
-        press(placeHd);
-        release(placeHd);
+        press(positionHd);
+        release(positionHd);
     }
     void drag(glm::vec3 fromHd, glm::vec3 toHd)
     {
@@ -94,12 +94,15 @@ struct Parter : HeadStudio
         for (const float y : {-0.05F, 0.0F, 0.05F})
             click({0.0F, y, 0.0F});
     }
-    [[nodiscard]] float coverageAt(glm::vec3 placeHd) { return static_cast<float>(texelAt(placeHd)[2]) / 65535.0F; }
+    [[nodiscard]] float coverageAt(glm::vec3 positionHd)
+    {
+        return static_cast<float>(texelAt(positionHd)[2]) / 65535.0F;
+    }
     /// As it is shown, of what was there before.
-    [[nodiscard]] float densityAt(glm::vec3 placeHd)
+    [[nodiscard]] float densityAt(glm::vec3 positionHd)
     {
         const auto shown = document.resolved(firstLayer(document, MapKind::Density).group, MapKind::Density);
-        return static_cast<float>(shown->sampleNearest(skin().nearest(placeHd).uv)[0]) / 60000.0F;
+        return static_cast<float>(shown->sampleNearest(skin().nearest(positionHd).uv)[0]) / 60000.0F;
     }
     [[nodiscard]] QPolygonF handles()
     {

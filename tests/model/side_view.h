@@ -98,7 +98,7 @@ private:
         std::vector<model::SeenStrand> met;
         const sim::GroupFrame& hair = m_frame->groups.front();
         for (std::uint32_t slot = 0; slot < hair.groom->roots->count(); ++slot) {
-            if (!hair.places(slot) || (!throughSkin && hair.groom->roots->positionHd[slot].x < 0.0F))
+            if (!hair.isPositioned(slot) || (!throughSkin && hair.groom->roots->positionHd[slot].x < 0.0F))
                 continue;
             const std::vector<glm::vec3> points = drawnPoints(hair, slot);
             model::SeenStrand strand{.root = {}, .slot = slot};

@@ -84,7 +84,7 @@ private Q_SLOTS:
         QCOMPARE(test::readBytes(path()), QByteArray("new"));
     }
 
-    void whatAKillPutAsideIsKeptUnlessItIsInItsPlaceToo()
+    void whatAKillPutAsideIsKeptUnlessItIsAtItsPathToo()
     {
         const QString left = m_folder.filePath(QStringLiteral(".hairpaint-0123456789abcdef.part"));
         const QString aside = left + QStringLiteral("/before/");
@@ -132,7 +132,7 @@ private Q_SLOTS:
 #endif
 
 #ifdef Q_OS_UNIX
-    void aFileWhoseLastBytesFindNoPlaceLeavesTheOldOne_data()
+    void aFileWhoseLastBytesFindNoSpaceLeavesTheOldOne_data()
     {
         QTest::addColumn<int>("size");
         QTest::addColumn<int>("room");
@@ -141,7 +141,7 @@ private Q_SLOTS:
         QTest::newRow("all but the last of a buffer") << 16'384 << 16'383;
         QTest::newRow("a piece of many") << 3'000'000 << 2'999'999;
     }
-    void aFileWhoseLastBytesFindNoPlaceLeavesTheOldOne()
+    void aFileWhoseLastBytesFindNoSpaceLeavesTheOldOne()
     {
         QFETCH(int, size);
         QFETCH(int, room);

@@ -21,9 +21,9 @@ namespace {
 
 constexpr float kHandM = 0.7F; // How far to the side the mannequin's are.
 
-glm::vec3 placeOf(const Avatar& avatar, const AvatarBody& body, HumanBone bone)
+glm::vec3 positionOf(const Avatar& avatar, const AvatarBody& body, HumanBone bone)
 {
-    return body.places[static_cast<std::size_t>(avatar.bones[bone])].position;
+    return body.poses[static_cast<std::size_t>(avatar.bones[bone])].position;
 }
 
 /// The same body, seen from another side, and its mesh likewise.
@@ -31,10 +31,10 @@ Avatar turnedAvatar(const Avatar& avatar, float angle)
 {
     const glm::quat turn = glm::angleAxis(angle, glm::vec3(0.0F, 1.0F, 0.0F));
     Avatar turned = avatar;
-    std::vector<JointPlace> places = placesOf(turned.skeleton);
-    for (JointPlace& place : places)
-        place = {.position = turn * place.position, .rotation = turn * place.rotation};
-    setPlaces(turned.skeleton, places);
+    std::vector<JointPose> poses = posesOf(turned.skeleton);
+    for (JointPose& pose : poses)
+        pose = {.position = turn * pose.position, .rotation = turn * pose.rotation};
+    setPoses(turned.skeleton, poses);
     sim::HeadMesh mesh = avatar.skin->mesh();
     for (glm::vec3& position : mesh.positionsHd)
         position = turn * position;
@@ -227,7 +227,7 @@ private Q_SLOTS:
         const auto avatar = mannequinAvatar();
         const Avatar turned = turnedAvatar(*avatar, 1.5707963F * static_cast<float>(quarters));
         const AvatarBody body = avatarBody(turned);
-        QVERIFY(glm::distance(placeOf(turned, body, HumanBone::LeftHand), {kHandM, 1.4F, 0.0F}) < 1e-4F);
+        QVERIFY(glm::distance(positionOf(turned, body, HumanBone::LeftHand), {kHandM, 1.4F, 0.0F}) < 1e-4F);
         const std::vector<glm::vec3>& own = avatar->skin->mesh().positionsHd;
         for (std::size_t i = 0; i < own.size(); ++i)
             QVERIFY(glm::distance(body.mesh.vertices[i].position, own[i]) < 1e-4F);
@@ -240,9 +240,9 @@ private Q_SLOTS:
     {
         const auto avatar = mannequinAvatar(0.8F);
         const AvatarBody body = avatarBody(*avatar);
-        QVERIFY(glm::distance(placeOf(*avatar, body, HumanBone::LeftHand), {kHandM, 1.4F, 0.0F}) < 1e-4F);
-        QVERIFY(glm::distance(placeOf(*avatar, body, HumanBone::RightHand), {-kHandM, 1.4F, 0.0F}) < 1e-4F);
-        QVERIFY(glm::distance(placeOf(*avatar, body, HumanBone::LeftFoot), {0.1F, 0.08F, 0.0F}) < 1e-4F);
+        QVERIFY(glm::distance(positionOf(*avatar, body, HumanBone::LeftHand), {kHandM, 1.4F, 0.0F}) < 1e-4F);
+        QVERIFY(glm::distance(positionOf(*avatar, body, HumanBone::RightHand), {-kHandM, 1.4F, 0.0F}) < 1e-4F);
+        QVERIFY(glm::distance(positionOf(*avatar, body, HumanBone::LeftFoot), {0.1F, 0.08F, 0.0F}) < 1e-4F);
         // The skin comes along, and keeps its shape.
         const std::vector<glm::vec3>& own = avatar->skin->mesh().positionsHd;
         float reach = 0.0F;

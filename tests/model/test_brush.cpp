@@ -232,15 +232,15 @@ void TestBrush::shiftClickDrawsALineFromTheLastPoint()
 void TestBrush::bothAreasPaintTheSame()
 {
     Painter flat(projectOn(makePatchHead())), head(projectOn(makePatchHead()));
-    std::vector<ToolEvent> flatWay, headWay;
+    std::vector<ToolEvent> flatStroke, headStroke;
     for (const float u : {0.25F, 0.5F, 0.625F}) {
         ToolEvent event = paintEvent(flat.document, u, 0.5F * u + 0.25F);
-        flatWay.push_back(event);
+        flatStroke.push_back(event);
         event.area = Area::Head;
-        headWay.push_back(event);
+        headStroke.push_back(event);
     }
-    flat.stroke(flatWay);
-    head.stroke(headWay);
+    flat.stroke(flatStroke);
+    head.stroke(headStroke);
     QVERIFY(flat.layer() == head.layer());
 }
 

@@ -1,4 +1,4 @@
-// How hair grows on the heads that people get: around one whorl, and nowhere else without a way.
+// How hair grows on the heads that people get: around one whorl, and nowhere else without a direction.
 #include "model/files/head_file.h"
 #include "sim/groom/stream_raster.h"
 #include "sim/skin/natural_stream.h"
@@ -113,12 +113,13 @@ private Q_SLOTS:
         constexpr float kWhorlM = 0.012F;
         bool whorl = false;
         bool counterpart = false;
-        for (const Singular& place : singularTriangles(skin.mesh(), sim::naturalStream(skin, std::nullopt))) {
-            const bool atTop = glm::distance(place.middleHd, glm::vec3(0.0F, 0.115F, 0.0F)) < kWhorlM;
-            const bool atBottom = glm::distance(place.middleHd, glm::vec3(0.0F, -0.115F, 0.0F)) < kWhorlM;
-            QVERIFY2(atTop || atBottom,
-                     qPrintable(
-                         QStringLiteral("%1 %2 %3").arg(place.middleHd.x).arg(place.middleHd.y).arg(place.middleHd.z)));
+        for (const Singular& singular : singularTriangles(skin.mesh(), sim::naturalStream(skin, std::nullopt))) {
+            const bool atTop = glm::distance(singular.middleHd, glm::vec3(0.0F, 0.115F, 0.0F)) < kWhorlM;
+            const bool atBottom = glm::distance(singular.middleHd, glm::vec3(0.0F, -0.115F, 0.0F)) < kWhorlM;
+            QVERIFY2(atTop || atBottom, qPrintable(QStringLiteral("%1 %2 %3")
+                                                       .arg(singular.middleHd.x)
+                                                       .arg(singular.middleHd.y)
+                                                       .arg(singular.middleHd.z)));
             whorl |= atTop;
             counterpart |= atBottom;
         }

@@ -44,10 +44,10 @@ private Q_SLOTS:
     void fillingCoversTheSelectedTexelsOnly();
     void pastingBetweenMapsConverts_data();
     void pastingBetweenMapsConverts();
-    void mapsOfAnotherSizeGetTheSamePlace();
+    void mapsOfAnotherSizeGetTheSameArea();
     void lockedLayersAreNotPastedInto();
     void otherProgramsSeeWhatWasCopied();
-    void anImageIsFittedIntoItsPlace();
+    void anImageIsFittedIntoItsArea();
 };
 
 void TestClipboard::aCopyHoldsTheSelectedTexels()
@@ -185,7 +185,7 @@ void TestClipboard::pastingBetweenMapsConverts()
     QCOMPARE(static_cast<int>(pasted[static_cast<std::size_t>(mapSpec(target).valueChannels)]), 50000);
 }
 
-void TestClipboard::mapsOfAnotherSizeGetTheSamePlace()
+void TestClipboard::mapsOfAnotherSizeGetTheSameArea()
 {
     Project project = projectWith(MapKind::Gel, {40000, 65535, 0, 0});
     MapStack& curl = project.groups.front().map(MapKind::Curl);
@@ -231,7 +231,7 @@ void TestClipboard::otherProgramsSeeWhatWasCopied()
     QVERIFY(imageFromClip({}).isNull());
 }
 
-void TestClipboard::anImageIsFittedIntoItsPlace()
+void TestClipboard::anImageIsFittedIntoItsArea()
 {
     QImage image(40, 20, QImage::Format_RGB32);
     image.fill(Qt::blue);

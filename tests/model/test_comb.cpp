@@ -27,14 +27,14 @@ struct Hairdresser : HeadStudio
         settings.brushSizeM = 0.03F;
     }
     /// Over the head along these points.
-    void stroke(const std::vector<glm::vec3>& wayHd, float pressure = 1.0F)
+    void stroke(const std::vector<glm::vec3>& pathHd, float pressure = 1.0F)
     {
         Tool& with = Studio::tool(tool);
         ToolContext now = context();
-        with.press(eventAt(wayHd.front(), pressure), now);
-        for (const glm::vec3& place : wayHd)
-            with.move(eventAt(place, pressure), now);
-        with.release(eventAt(wayHd.back(), pressure), now);
+        with.press(eventAt(pathHd.front(), pressure), now);
+        for (const glm::vec3& positionHd : pathHd)
+            with.move(eventAt(positionHd, pressure), now);
+        with.release(eventAt(pathHd.back(), pressure), now);
     }
 };
 
@@ -72,16 +72,16 @@ private Q_SLOTS:
         QFETCH(float, to);
         QFETCH(float, rise);
         Hairdresser comb(makeBallHead(96, kBallRadiusM));
-        std::vector<glm::vec3> way;
+        std::vector<glm::vec3> path;
         for (int i = 0; i <= 40; ++i) {
             const float t = static_cast<float>(i) / 40.0F;
-            way.push_back(onBall(from + (to - from) * t, rise * (t - 0.5F)));
+            path.push_back(onBall(from + (to - from) * t, rise * (t - 0.5F)));
         }
-        comb.stroke(way);
-        for (std::size_t i = 4; i + 4 < way.size(); ++i) {
-            QCOMPARE(comb.texelAt(way[i])[2], std::uint16_t{65535});
-            const glm::vec3 laid = comb.directionAt(way[i]);
-            const float off = degreesBetween(laid, way[i + 1] - way[i - 1]);
+        comb.stroke(path);
+        for (std::size_t i = 4; i + 4 < path.size(); ++i) {
+            QCOMPARE(comb.texelAt(path[i])[2], std::uint16_t{65535});
+            const glm::vec3 laid = comb.directionAt(path[i]);
+            const float off = degreesBetween(laid, path[i + 1] - path[i - 1]);
             QVERIFY2(off < 5.0F, qPrintable(QStringLiteral("%1 degrees off at %2").arg(off).arg(i)));
             QVERIFY(std::abs(glm::length(laid) - 0.9F) < 0.01F);
         }
@@ -89,13 +89,13 @@ private Q_SLOTS:
         QCOMPARE(comb.document.undoStack().text(0), QStringLiteral("Comb on Direction"));
     }
 
-    void aBrushWideIsCombedTheSameWay()
+    void aBrushWideIsCombedInTheSameDirection()
     {
         Hairdresser comb(makeBallHead(96, kBallRadiusM));
         comb.stroke({onBall(0.0F, 0.4F), onBall(0.0F, 0.1F), onBall(0.0F, -0.2F), onBall(0.0F, -0.4F)});
         for (const float beside : {-0.012F, -0.006F, 0.006F, 0.012F}) {
-            const glm::vec3 place = onBall(beside / kBallRadiusM, 0.0F);
-            QVERIFY(degreesBetween(comb.directionAt(place), {0.0F, -1.0F, 0.0F}) < 5.0F);
+            const glm::vec3 positionHd = onBall(beside / kBallRadiusM, 0.0F);
+            QVERIFY(degreesBetween(comb.directionAt(positionHd), {0.0F, -1.0F, 0.0F}) < 5.0F);
         }
     }
 
@@ -108,7 +108,7 @@ private Q_SLOTS:
         QVERIFY(glm::distance(comb.directionAt(glm::vec3(0.0F)), glm::vec3(0.45F, 0.0F, 0.0F)) < 0.01F);
     }
 
-    void turningBackCombsTheOtherWay()
+    void turningBackCombsInTheOtherDirection()
     {
         Hairdresser comb(makePatchHead());
         comb.stroke({{-0.04F, 0.0F, 0.0F}, {0.05F, 0.0F, 0.0F}, {-0.05F, 0.001F, 0.0F}});
@@ -149,26 +149,26 @@ private Q_SLOTS:
         comb.settings.value(MapKind::Direction).direction = {0.5F, -0.6F};
         comb.settings.secondValue(MapKind::Direction).direction = {0.6F, -0.7F};
         comb.stroke({onBall(0.5F, 0.3F), onBall(0.6F, 0.0F), onBall(0.8F, -0.3F)});
-        const glm::vec3 place = onBall(0.6F, 0.0F);
+        const glm::vec3 positionHd = onBall(0.6F, 0.0F);
         const glm::vec3 mirrored(-1.0F, 1.0F, 1.0F);
-        const glm::vec3 own = comb.directionAt(place);
+        const glm::vec3 own = comb.directionAt(positionHd);
         QVERIFY(glm::length(own) > 0.5F);
-        QVERIFY(glm::distance(comb.directionAt(place * mirrored), own * mirrored) < 0.02F);
+        QVERIFY(glm::distance(comb.directionAt(positionHd * mirrored), own * mirrored) < 0.02F);
     }
 
-    void liftingKeepsTheWayAndNoiseAndSmoothingMeetInTheMiddle()
+    void liftingKeepsTheDirectionAndNoiseAndSmoothingMeetInTheMiddle()
     {
         Hairdresser comb(makePatchHead());
-        const std::vector<glm::vec3> way{{-0.05F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}, {0.05F, 0.0F, 0.0F}};
-        comb.stroke(way);
+        const std::vector<glm::vec3> path{{-0.05F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}, {0.05F, 0.0F, 0.0F}};
+        comb.stroke(path);
         comb.settings.comb = CombKind::Lift;
-        comb.stroke(way); // Half way up as it comes.
+        comb.stroke(path); // Halfway up as it comes.
         QVERIFY(glm::distance(comb.directionAt(glm::vec3(0.0F)), glm::vec3(0.45F, 0.0F, 0.0F)) < 0.01F);
         comb.settings.lift = -0.2F;
-        comb.stroke(way);
+        comb.stroke(path);
         QVERIFY(glm::distance(comb.directionAt(glm::vec3(0.0F)), glm::vec3(0.56F, 0.0F, 0.0F)) < 0.01F);
         comb.settings.lift = 1.0F - 0.3F / 0.56F;
-        comb.stroke(way);
+        comb.stroke(path);
         QVERIFY(glm::distance(comb.directionAt(glm::vec3(0.0F)), glm::vec3(0.3F, 0.0F, 0.0F)) < 0.01F);
         const auto roughness = [&] {
             float sum = 0.0F;
@@ -179,12 +179,12 @@ private Q_SLOTS:
         };
         QVERIFY(roughness() < 0.01F);
         comb.settings.comb = CombKind::Noise;
-        comb.stroke(way);
+        comb.stroke(path);
         const float ruffled = roughness();
         QVERIFY(ruffled > 0.05F);
         comb.settings.comb = CombKind::Smooth;
         for (int pass = 0; pass < 3; ++pass)
-            comb.stroke(way);
+            comb.stroke(path);
         QVERIFY(roughness() < 0.5F * ruffled);
     }
 
@@ -230,7 +230,7 @@ private Q_SLOTS:
         QTest::newRow("imported") << false;
         QTest::newRow("built-in") << true;
     }
-    void theOtherSidesWhorlTurnsTheOtherWayAndOneInTheMiddleIsAlone()
+    void theOtherSidesWhorlIsMirroredAndOneInTheMiddleIsAlone()
     {
         QFETCH(bool, builtIn);
         Hairdresser comb(makeBallHead(96, kBallRadiusM), builtIn);
@@ -238,10 +238,10 @@ private Q_SLOTS:
         comb.settings.comb = CombKind::Whorl;
         comb.stroke({onBall(0.6F, 0.0F)});
         const glm::vec3 mirrored(-1.0F, 1.0F, 1.0F);
-        for (const glm::vec3 place : {onBall(0.7F, 0.0F), onBall(0.6F, 0.1F), onBall(0.5F, -0.05F)}) {
-            const glm::vec3 own = comb.directionAt(place);
+        for (const glm::vec3 positionHd : {onBall(0.7F, 0.0F), onBall(0.6F, 0.1F), onBall(0.5F, -0.05F)}) {
+            const glm::vec3 own = comb.directionAt(positionHd);
             QVERIFY(glm::length(own) > 0.3F);
-            QVERIFY(glm::distance(comb.directionAt(place * mirrored), own * mirrored) < 0.05F);
+            QVERIFY(glm::distance(comb.directionAt(positionHd * mirrored), own * mirrored) < 0.05F);
         }
         comb.document.undo();
         comb.stroke({onBall(0.02F, 0.0F)});

@@ -106,7 +106,7 @@ private Q_SLOTS:
     void undoingAllGivesTheFirstContentAndRedoingAllTheLast();
     void resolvedMapsFollowEveryStep();
     void layersAreAddedMovedAndRemoved();
-    void groupsChangePlaces();
+    void groupsChangeOrder();
     void namesSayWhatWasDone();
     void nothingToDoGivesNoCommand();
     void aPresetIsOneStepAndKeepsIdsOfGroupsOfTheSameName();
@@ -197,7 +197,7 @@ void TestCommands::layersAreAddedMovedAndRemoved()
     QVERIFY(document.project().group(group)->map(MapKind::Curl).layers[1].id != c.layer);
 }
 
-void TestCommands::groupsChangePlaces()
+void TestCommands::groupsChangeOrder()
 {
     Document document(patchProject());
     for (const char* name : {"B", "C", "D"})

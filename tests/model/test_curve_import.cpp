@@ -29,8 +29,8 @@ const std::shared_ptr<const Head>& ball()
 }
 
 /// The front half of the ball, where nothing is pinched.
-constexpr std::array kPlaces{glm::vec2(0.5F, 0.5F), glm::vec2(0.4F, 0.6F), glm::vec2(0.62F, 0.45F),
-                             glm::vec2(0.55F, 0.7F)};
+constexpr std::array kRootUvs{glm::vec2(0.5F, 0.5F), glm::vec2(0.4F, 0.6F), glm::vec2(0.62F, 0.45F),
+                              glm::vec2(0.55F, 0.7F)};
 
 glm::vec4 valueAt(const HairGroup& group, MapKind kind, glm::vec2 uv)
 {
@@ -81,9 +81,9 @@ private Q_SLOTS:
         const float wantedDensity = input.settings.greatestDensityPerM2 * static_cast<float>(density) / 65535.0F;
         const float wantedLengthM = input.settings.greatestLengthM * static_cast<float>(length) / 65535.0F;
         float foundDensity = 0.0F;
-        for (const glm::vec2& uv : kPlaces) {
+        for (const glm::vec2& uv : kRootUvs) {
             foundDensity += valueAt(*group, MapKind::Density, uv).x * group->settings.greatestDensityPerM2 /
-                            static_cast<float>(kPlaces.size());
+                            static_cast<float>(kRootUvs.size());
             const float lengthM = sim::lengthOf(group->settings, valueAt(*group, MapKind::Length, uv).x);
             QVERIFY2(std::abs(lengthM - wantedLengthM) < 0.05F * wantedLengthM, qPrintable(QString::number(lengthM)));
             const sim::Coil wanted =
@@ -131,7 +131,7 @@ private Q_SLOTS:
         input.settings.physics.volumeM = 0.0F;
         const std::optional<HairGroup> group = back(input);
         QVERIFY(group);
-        for (const glm::vec2& uv : kPlaces) {
+        for (const glm::vec2& uv : kRootUvs) {
             const sim::TiledRaster& raster = group->map(MapKind::Direction).layers.front().raster;
             const glm::vec2 found = sim::directionAt(raster, uv);
             QVERIFY2(glm::distance(found, glm::vec2(x, y)) < 0.12F,
@@ -149,8 +149,8 @@ private Q_SLOTS:
         input.settings.material.tipAlpha = 0.5F;
         const std::optional<HairGroup> group = back(input);
         QVERIFY(group);
-        const glm::vec3 root(valueAt(*group, MapKind::Colour, kPlaces[1]));
-        const glm::vec3 tip(valueAt(*group, MapKind::TipColour, kPlaces[1]));
+        const glm::vec3 root(valueAt(*group, MapKind::Colour, kRootUvs[1]));
+        const glm::vec3 tip(valueAt(*group, MapKind::TipColour, kRootUvs[1]));
         QVERIFY(glm::distance(root, glm::vec3(1.0F, 128.0F / 255.0F, 0.0F)) < 0.01F);
         QVERIFY(glm::distance(tip, glm::vec3(0.0F, 128.0F / 255.0F, 1.0F)) < 0.01F);
         QVERIFY(std::abs(group->settings.material.widthM - 70e-6F) < 1e-6F);
@@ -173,9 +173,9 @@ private Q_SLOTS:
         input.maps[sim::MapSlot::Colour] = flat(3, {65535, 32896, 0});
         const std::optional<HairGroup> group = back(input, name.constData(), target.constData());
         QVERIFY(group);
-        const float lengthM = sim::lengthOf(group->settings, valueAt(*group, MapKind::Length, kPlaces[0]).x);
+        const float lengthM = sim::lengthOf(group->settings, valueAt(*group, MapKind::Length, kRootUvs[0]).x);
         QVERIFY2(std::abs(lengthM - 0.1F) < 0.003F, qPrintable(QString::number(lengthM)));
-        QVERIFY(glm::distance(glm::vec3(valueAt(*group, MapKind::Colour, kPlaces[1])),
+        QVERIFY(glm::distance(glm::vec3(valueAt(*group, MapKind::Colour, kRootUvs[1])),
                               glm::vec3(1.0F, 128.0F / 255.0F, 0.0F)) < 0.01F);
     }
 
@@ -202,7 +202,7 @@ private Q_SLOTS:
         QVERIFY(std::ranges::is_sorted(told) && told.front() >= 0.0 && told.back() <= 1.0);
     }
 
-    void hairsThatAllStandInOnePlaceAreRead()
+    void hairsThatAllStandAtOnePointAreRead()
     {
         // Each has all the others as neighbours: looked through one by one they would take minutes.
         constexpr quint32 kStrands = 200'000;
@@ -245,17 +245,17 @@ private Q_SLOTS:
             for (int point = 0; point <= kSegments; ++point) {
                 const float far = kLengthM * static_cast<float>(point) / kSegments;
                 const float angle = far / kRadiusM;
-                const glm::vec3 place = stands ? up * (kRadiusM + far)
-                                               : (up * std::cos(angle) + along * std::sin(angle)) *
-                                                     (kRadiusM + 0.002F * std::min(angle, 1.0F));
-                bytes.append(reinterpret_cast<const char*>(&place), sizeof(place));
+                const glm::vec3 positionHd = stands ? up * (kRadiusM + far)
+                                                    : (up * std::cos(angle) + along * std::sin(angle)) *
+                                                          (kRadiusM + 0.002F * std::min(angle, 1.0F));
+                bytes.append(reinterpret_cast<const char*>(&positionHd), sizeof(positionHd));
             }
         }
         test::writeBytes(path(), bytes);
         const Result<std::vector<HairGroup>> groups = groupsFromCurves(path(), {}, ball());
         QVERIFY(groups && groups->size() == 1);
-        const auto gelAt = [&](const glm::vec3& place) {
-            return valueAt(groups->front(), MapKind::Gel, ball()->skin->nearest(place).uv).x;
+        const auto gelAt = [&](const glm::vec3& positionHd) {
+            return valueAt(groups->front(), MapKind::Gel, ball()->skin->nearest(positionHd).uv).x;
         };
         const float top = gelAt({0.0F, 0.0F, kRadiusM});
         QVERIFY2(together ? top > 0.6F : top < 0.01F, qPrintable(QString::number(top)));
@@ -277,7 +277,7 @@ private Q_SLOTS:
         QCOMPARE(groups->front().name, QStringLiteral("locks"));
     }
 
-    void hairOfAnotherPlaceIsFitted()
+    void hairInAnotherSpaceIsFitted()
     {
         // As of a program that tells no unit, on a head a third as large that stands elsewhere.
         QVERIFY(test::exported(frameOf({hairGroup(1, 20000, 32768, 0)}), path()));
@@ -296,7 +296,7 @@ private Q_SLOTS:
         const Result<std::vector<HairGroup>> groups = groupsFromCurves(path(), {}, ball());
         QVERIFY(groups);
         const HairGroup& group = groups->front();
-        const float lengthM = sim::lengthOf(group.settings, valueAt(group, MapKind::Length, kPlaces[0]).x);
+        const float lengthM = sim::lengthOf(group.settings, valueAt(group, MapKind::Length, kRootUvs[0]).x);
         QVERIFY2(std::abs(lengthM - 0.1F) < 0.01F, qPrintable(QString::number(lengthM)));
     }
 };

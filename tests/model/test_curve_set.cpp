@@ -71,7 +71,7 @@ private Q_SLOTS:
         QVERIFY(std::equal(second.begin(), second.end(), all.end() - static_cast<std::ptrdiff_t>(second.size())));
     }
 
-    void fewerHairsAreAnEvenShareOfThem()
+    void fewerHairsAreAnEvenSubset()
     {
         const auto frame = frameOf({hairGroup(1, 65535, 65535, 0)});
         CurveOptions options = allOf(*frame);

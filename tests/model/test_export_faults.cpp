@@ -21,8 +21,8 @@ namespace {
 constexpr std::size_t kLargeBufferBytes = 32 << 10;
 constexpr std::size_t kPictureBytes = 128 << 10; ///< Cards ask for so many smaller pieces that it would take minutes.
 
-/// With the address sanitizer they take minutes; their files go the way of
-/// severalFilesTakeTheirPlacesTogetherOrNotAtAll.
+/// With the address sanitizer they take minutes; their files are published as in
+/// severalFilesArePublishedTogetherOrNotAtAll.
 #if defined(HAIRPAINT_ASAN)
 constexpr bool kTakesCards = false;
 #else
@@ -97,20 +97,20 @@ private Q_SLOTS:
     void init() { m_folder = std::make_unique<test::FaultyFolder>(); }
 
 #ifdef Q_OS_LINUX
-    void severalFilesTakeTheirPlacesTogetherOrNotAtAll()
+    void severalFilesArePublishedTogetherOrNotAtAll()
     {
-        QStringList places;
+        QStringList paths;
         for (const char* name : {"a", "b", "c", "d"})
-            places += m_folder->filePath(QLatin1StringView(name));
+            paths += m_folder->filePath(QLatin1StringView(name));
         const auto work = [&]() -> Result<void> {
             StagedFiles staged(m_folder->path());
-            Result<void> done = staged.check(places[0]);
-            for (qsizetype i = 0; i < places.size() && done; ++i)
-                if (const Checked<void> written = writeFile(staged.pathFor(places[i]), "new"); !written)
-                    done = cannotWrite(places[i], written.error());
-            return done ? staged.publish(places) : done;
+            Result<void> done = staged.check(paths[0]);
+            for (qsizetype i = 0; i < paths.size() && done; ++i)
+                if (const Checked<void> written = writeFile(staged.pathFor(paths[i]), "new"); !written)
+                    done = cannotWrite(paths[i], written.error());
+            return done ? staged.publish(paths) : done;
         };
-        QCOMPARE(m_folder->underEach<test::FileFault>({places[1], places[3]}, work), QString());
+        QCOMPARE(m_folder->underEach<test::FileFault>({paths[1], paths[3]}, work), QString());
         QVERIFY(work());
         QCOMPARE(test::contentOf(m_folder->path()).size(), 4);
     }

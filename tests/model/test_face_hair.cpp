@@ -16,23 +16,23 @@ using namespace hairpaint::model;
 namespace {
 
 /// Of a layer's first value at the skin nearest to a position, 0..1.
-float valueAt(const HairGroup& group, MapKind map, const Head& head, const glm::vec3& place)
+float valueAt(const HairGroup& group, MapKind map, const Head& head, const glm::vec3& positionHd)
 {
     const sim::TiledRaster& raster = group.map(map).layers.front().raster;
-    const glm::vec2 uv = head.skin->nearest(place).uv;
+    const glm::vec2 uv = head.skin->nearest(positionHd).uv;
     const auto side = static_cast<float>(raster.size());
     const sim::Texel texel = raster.texel(static_cast<int>(uv.x * side), static_cast<int>((1.0F - uv.y) * side));
     return texel[1] > 0 ? static_cast<float>(texel[0]) / 65535.0F : 0.0F;
 }
 
 /// Greatest density within 4 mm of a position.
-float densityNear(const HairGroup& group, const Head& head, const glm::vec3& place)
+float densityNear(const HairGroup& group, const Head& head, const glm::vec3& positionHd)
 {
     float greatest = 0.0F;
     for (int y = -8; y <= 8; ++y)
         for (int x = -8; x <= 8; ++x)
-            greatest =
-                std::max(greatest, valueAt(group, MapKind::Density, head, place + 0.0005F * glm::vec3(x, y, 0.0F)));
+            greatest = std::max(greatest,
+                                valueAt(group, MapKind::Density, head, positionHd + 0.0005F * glm::vec3(x, y, 0.0F)));
     return greatest;
 }
 

@@ -93,7 +93,7 @@ private:
     template<typename Fault, typename... Options>
     [[nodiscard]] QString journalUnderEach(Options... options)
     {
-        // Small enough that it is written anew on the way.
+        // Small enough that it is written anew meanwhile.
         constexpr qint64 kRewriteBytes = 4000;
         std::vector<JournalState> states;
         Project project = test::filledPatch(MapKind::Length, 1234);

@@ -47,18 +47,18 @@ struct Hand : HeadStudio
         ToolContext now = context();
         grab().releaseHair(event(rootHd, targetHd, modifiers), now);
     }
-    [[nodiscard]] glm::vec3 directionAt(glm::vec3 placeHd)
+    [[nodiscard]] glm::vec3 directionAt(glm::vec3 positionHd)
     {
-        const sim::SurfacePoint point = skin().nearest(placeHd);
+        const sim::SurfacePoint point = skin().nearest(positionHd);
         return sim::SkinFrame::at(point).toHd(sim::directionOf(shown()->sampleNearest(point.uv)));
     }
-    [[nodiscard]] float gelAt(glm::vec3 placeHd)
+    [[nodiscard]] float gelAt(glm::vec3 positionHd)
     {
-        return document.resolved(context().target.group, MapKind::Gel)->sampleScalar(skin().nearest(placeHd).uv);
+        return document.resolved(context().target.group, MapKind::Gel)->sampleScalar(skin().nearest(positionHd).uv);
     }
-    [[nodiscard]] float lengthAt(glm::vec3 placeHd)
+    [[nodiscard]] float lengthAt(glm::vec3 positionHd)
     {
-        return document.resolved(context().target.group, MapKind::Length)->sampleScalar(skin().nearest(placeHd).uv);
+        return document.resolved(context().target.group, MapKind::Length)->sampleScalar(skin().nearest(positionHd).uv);
     }
 };
 
@@ -170,7 +170,7 @@ private Q_SLOTS:
         QTest::newRow("mirrored") << true;
         QTest::newRow("not") << false;
     }
-    void theOtherSideGoesTheOtherWay()
+    void theOtherSideIsMirrored()
     {
         QFETCH(bool, mirror);
         Hand hand;

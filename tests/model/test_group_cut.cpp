@@ -33,7 +33,7 @@ struct Salon : Studio
     {
         const auto after = now();
         for (std::uint32_t slot = 0; slot < was().groom->roots->count(); ++slot)
-            if (was().places(slot))
+            if (was().isPositioned(slot))
                 visit(slot, was().groom->style(slot).lengthM, after->groups.front().groom->style(slot).lengthM);
     }
 
@@ -55,7 +55,7 @@ private Q_SLOTS:
         GroupCut cut(context, salon.before, QStringLiteral("Trim"));
         QVERIFY(cut.active());
         cut.trim(0.1F, 0.01F);
-        cut.trim(0.02F, 0.2F); // In the place of what was shown before.
+        cut.trim(0.02F, 0.2F); // Instead of what was shown before.
         const auto preview = salon.shown();
         cut.commit();
         QVERIFY(*salon.shown() == *preview);

@@ -147,7 +147,7 @@ private Q_SLOTS:
         QCOMPARE(file.thickness[tip], 0.25F * 70e-6F);
         QCOMPARE(file.transparency[0], 0.25F);
         QCOMPARE(file.transparency[tip], 0.75F);
-        // By the square of the way to the tip, as the shader has it.
+        // By the square of the distance to the tip, as the shader has it.
         const float middle = 0.75F - 0.5F * 0.25F;
         QCOMPARE(tip % 2, std::size_t{0});
         QCOMPARE(file.transparency[tip / 2], 1.0F - middle);

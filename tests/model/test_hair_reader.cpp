@@ -132,7 +132,7 @@ private Q_SLOTS:
         QTest::newRow("fewer points") << changed(whole, 8, QByteArray("\x04", 1));
         QTest::newRow("no points") << changed(whole, 12, QByteArray("\x1D", 1));
         QTest::newRow("a strand of one point") << changed(whole, 130, QByteArray("\0", 1));
-        QTest::newRow("a place that is none")
+        QTest::newRow("a position that is none")
             << changed(whole, 132, QByteArray(reinterpret_cast<const char*>(&nothing), sizeof(nothing)));
         QTest::newRow("segments that do not add up") << changed(hairBytes(2), 16, QByteArray("\xFF\xFF\xFF\xFF", 4));
     }

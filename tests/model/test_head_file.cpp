@@ -70,8 +70,8 @@ private Q_SLOTS:
         QCOMPARE(shown.marks.size(), shown.positionsHd.size());
         QCOMPARE(coarse.marks.size(), coarse.positionsHd.size());
         const sim::Skin skin(shown);
-        const auto at = [&](const glm::vec3& place) {
-            return shown.marks[shown.triangles[skin.nearest(place).face].x];
+        const auto at = [&](const glm::vec3& positionHd) {
+            return shown.marks[shown.triangles[skin.nearest(positionHd).face].x];
         };
         QVERIFY(at({0.0F, 0.12F, -0.03F}).sky > 250);      // The crown sees all of it,
         QVERIFY(at({0.0F, -0.120F, 0.045F}).sky < 190);    // so does the skin under the chin.
@@ -95,7 +95,7 @@ private Q_SLOTS:
 
     void hairGrowsAwayFromTheCrown_data()
     {
-        QTest::addColumn<glm::vec3>("place");
+        QTest::addColumn<glm::vec3>("positionHd");
         QTest::addColumn<glm::vec3>("grows");
         QTest::newRow("top") << glm::vec3(0.0F, 0.12F, 0.03F) << glm::vec3(0.0F, 0.0F, 1.0F);
         QTest::newRow("hairline") << glm::vec3(0.0F, 0.0728F, 0.0748F) << glm::vec3(0.0F, -0.6F, 0.8F);
@@ -106,13 +106,13 @@ private Q_SLOTS:
     }
     void hairGrowsAwayFromTheCrown()
     {
-        QFETCH(glm::vec3, place);
+        QFETCH(glm::vec3, positionHd);
         QFETCH(glm::vec3, grows);
         for (const char* name : {"bust-1", "bust-2"}) {
             const std::shared_ptr<const Head> head = builtInHead(QString::fromLatin1(name)).value();
             QVERIFY(head->naturalDirection != nullptr);
             QCOMPARE(head->naturalDirection->channels(), 2);
-            const sim::SurfacePoint point = head->skin->nearest(place);
+            const sim::SurfacePoint point = head->skin->nearest(positionHd);
             const glm::vec2 channels(head->naturalDirection->sampleBilinear(point.uv));
             const glm::vec3 direction = sim::SkinFrame::at(point).toHd(sim::directionOfChannels(channels * 65535.0F));
             QVERIFY2(glm::length(direction) > 0.5F && glm::dot(glm::normalize(direction), grows) > 0.8F,
@@ -130,8 +130,9 @@ private Q_SLOTS:
         std::map<std::tuple<float, float, float>, sim::SkinMarks> known;
         for (std::size_t i = 0; i < mesh.positionsHd.size(); ++i)
             known[{mesh.positionsHd[i].x, mesh.positionsHd[i].y, mesh.positionsHd[i].z}] = mesh.marks[i];
-        for (const auto& [place, marks] : known) {
-            const auto mirrored = known.find({-std::get<0>(place), std::get<1>(place), std::get<2>(place)});
+        for (const auto& [positionHd, marks] : known) {
+            const auto mirrored =
+                known.find({-std::get<0>(positionHd), std::get<1>(positionHd), std::get<2>(positionHd)});
             QVERIFY(mirrored != known.end());
             QCOMPARE(mirrored->second.sky, marks.sky);
             QCOMPARE(mirrored->second.lips, marks.lips);
@@ -251,6 +252,9 @@ private Q_SLOTS:
         row("a bust in metres", {0.45F, 0.55F, 0.25F}, 1.0F, UpAxis::Y);
         row("a bust in centimetres, z up", {45.0F, 25.0F, 60.0F}, 0.01F, UpAxis::Z);
         row("a whole figure in metres", {0.6F, 1.8F, 0.3F}, 1.0F, UpAxis::Y);
+        row("a whole figure in centimetres", {140.0F, 175.0F, 30.0F}, 0.01F, UpAxis::Y);
+        row("a whole figure in millimetres, z up", {600.0F, 300.0F, 1800.0F}, 0.001F, UpAxis::Z);
+        row("a child in inches", {20.0F, 45.0F, 8.0F}, 0.0254F, UpAxis::Y);
         row("nothing", {0.0F, 0.0F, 0.0F}, 1.0F, UpAxis::Y);
     }
     void unitAndAxisAreGuessed()
@@ -264,6 +268,77 @@ private Q_SLOTS:
         const HeadGuess guess = guessHead(mesh);
         QCOMPARE(guess.unitScale, unitScale);
         QCOMPARE(static_cast<int>(guess.upAxis), upAxis);
+    }
+
+    void whatAFileTellsIsNotGuessed()
+    {
+        RiggedMesh mesh(test::makeBallHead(12, 0.5F));
+        for (glm::vec3& p : mesh.positionsHd)
+            p *= glm::vec3(1.5F, 0.9F, 1.9F);
+        mesh.told = {.metresPerUnit = 0.1F, .up = ToldAxis::Y};
+        HeadGuess guess = guessHead(mesh);
+        QCOMPARE(guess.unitScale, 0.1F);
+        QVERIFY(guess.upAxis == UpAxis::Y);
+        mesh.told.metresPerUnit = 0.0F;
+        QCOMPARE(guessHead(mesh).unitScale, 1.0F);
+        guess = chosen(guess, {.metresPerUnit = 0.01F, .upAxis = UpAxis::Z});
+        QCOMPARE(guess.unitScale, 0.01F);
+        QVERIFY(guess.upAxis == UpAxis::Z);
+    }
+
+    void aScalpIsOpenBelow()
+    {
+        // The upper half of a ball, deeper than it is high.
+        RiggedMesh scalp(test::makeBallHead(24, 0.1F));
+        std::erase_if(scalp.triangles, [&scalp](const glm::uvec3& t) {
+            return std::min({scalp.positionsHd[t.x].y, scalp.positionsHd[t.y].y, scalp.positionsHd[t.z].y}) < -0.01F;
+        });
+        for (glm::vec3& p : scalp.positionsHd)
+            p.y = std::max(p.y, 0.0F);
+        QVERIFY(guessHead(scalp).upAxis == UpAxis::Y);
+    }
+
+    void aFaceIsTurnedToTheFront_data()
+    {
+        QTest::addColumn<int>("upAxis");
+        QTest::addColumn<glm::ivec3>("facing");
+        QTest::addColumn<bool>("canBe");
+        const auto row = [](const char* name, UpAxis up, glm::ivec3 facing, bool canBe) {
+            QTest::newRow(name) << static_cast<int>(up) << facing << canBe;
+        };
+        row("as it is", UpAxis::Y, {0, 0, 1}, true);
+        row("seen from behind", UpAxis::Y, {0, 0, -1}, true);
+        row("to the side", UpAxis::Y, {1, 0, 0}, true);
+        row("to the other side", UpAxis::Y, {-1, 0, 0}, true);
+        row("upward", UpAxis::Y, {0, 1, 0}, false);
+        row("z up, as it is", UpAxis::Z, {0, -1, 0}, true);
+        row("z up, from behind", UpAxis::Z, {0, 1, 0}, true);
+        row("z up, to the side", UpAxis::Z, {1, 0, 0}, true);
+        row("z up, downward", UpAxis::Z, {0, 0, -1}, false);
+    }
+    void aFaceIsTurnedToTheFront()
+    {
+        QFETCH(int, upAxis);
+        QFETCH(glm::ivec3, facing);
+        QFETCH(bool, canBe);
+        const bool isZ = static_cast<UpAxis>(upAxis) == UpAxis::Z;
+        const glm::vec3 up = isZ ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+        RiggedMesh mesh;
+        mesh.positionsHd = {glm::vec3(facing) * 0.1F, up, glm::cross(up, glm::vec3(facing))};
+        mesh.normalsHd = mesh.positionsHd;
+        mesh.skeleton.joints = {{.name = "a", .translation = glm::vec3(facing)}};
+        const RiggedMesh before = mesh;
+        QCOMPARE(turnToFront(mesh, static_cast<UpAxis>(upAxis), facing), canBe);
+        if (!canBe) {
+            QCOMPARE(mesh.positionsHd, before.positionsHd);
+            return;
+        }
+        const glm::vec3 front = isZ ? glm::vec3(0, -1, 0) : glm::vec3(0, 0, 1);
+        QCOMPARE(mesh.positionsHd[0], front * 0.1F);
+        QCOMPARE(mesh.positionsHd[1], up);
+        QCOMPARE(mesh.positionsHd[2], glm::vec3(1, 0, 0)); // The face's left stays its left.
+        QCOMPARE(mesh.skeleton.joints[0].translation, front);
+        QVERIFY(glm::distance(mesh.skeleton.joints[0].rotation * glm::vec3(facing), front) < 1e-6F);
     }
 
     void scaleAndAxisAreAppliedAndNothingIsCentred()

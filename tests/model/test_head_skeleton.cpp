@@ -39,8 +39,8 @@ private Q_SLOTS:
         QTest::newRow("a second root") << Spoil([](auto& s) { s.joints[3].parent = -1; });
         QTest::newRow("a root with a parent") << Spoil([](auto& s) { s.joints[0].parent = 1; });
         QTest::newRow("a child before its parent") << Spoil([](auto& s) { s.joints[3].parent = 3; });
-        QTest::newRow("no place") << Spoil([nan](auto& s) { s.joints[3].translation.y = nan; });
-        QTest::newRow("a place light years away") << Spoil([](auto& s) { s.joints[3].translation.y = 1e20F; });
+        QTest::newRow("no position") << Spoil([nan](auto& s) { s.joints[3].translation.y = nan; });
+        QTest::newRow("a position light years away") << Spoil([](auto& s) { s.joints[3].translation.y = 1e20F; });
         QTest::newRow("a rotation of no length") << Spoil([](auto& s) { s.joints[3].rotation = {0, 0, 0, 0}; });
         QTest::newRow("a rotation that is no number") << Spoil([nan](auto& s) { s.joints[3].rotation.x = nan; });
         QTest::newRow("a line in its name") << Spoil([](auto& s) { s.joints[3].name = "a\nb"; });
@@ -89,19 +89,19 @@ private Q_SLOTS:
         QVERIFY(isJointName(name));
     }
 
-    void placesComeBackFromTheJoints()
+    void posesComeBackFromTheJoints()
     {
         HeadSkeleton skeleton = test::makeMannequin().skeleton;
-        std::vector<JointPlace> places = placesOf(skeleton);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            QVERIFY(isNear(places[i].position, test::kMannequin[i].position));
-            places[i].rotation = glm::angleAxis(0.3F * static_cast<float>(i), glm::normalize(glm::vec3(1, 2, 3)));
+        std::vector<JointPose> poses = posesOf(skeleton);
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            QVERIFY(isNear(poses[i].position, test::kMannequin[i].position));
+            poses[i].rotation = glm::angleAxis(0.3F * static_cast<float>(i), glm::normalize(glm::vec3(1, 2, 3)));
         }
-        setPlaces(skeleton, places);
-        const std::vector<JointPlace> again = placesOf(skeleton);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            QVERIFY(isNear(again[i].position, places[i].position));
-            QVERIFY(std::abs(glm::dot(again[i].rotation, places[i].rotation)) > 0.9999F);
+        setPoses(skeleton, poses);
+        const std::vector<JointPose> again = posesOf(skeleton);
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            QVERIFY(isNear(again[i].position, poses[i].position));
+            QVERIFY(std::abs(glm::dot(again[i].rotation, poses[i].rotation)) > 0.9999F);
             const glm::vec3 own = glm::vec3(inverseBind(again[i]) * glm::vec4(again[i].position, 1.0F));
             QVERIFY(isNear(own, glm::vec3(0.0F)));
         }
@@ -184,10 +184,10 @@ private Q_SLOTS:
     {
         RiggedMesh body = test::makeMannequin();
         // As Blender has it, in centimetres.
-        std::vector<JointPlace> places = placesOf(body.skeleton);
-        for (JointPlace& place : places)
-            place.position = 100.0F * glm::vec3(place.position.x, -place.position.z, place.position.y);
-        setPlaces(body.skeleton, places);
+        std::vector<JointPose> poses = posesOf(body.skeleton);
+        for (JointPose& pose : poses)
+            pose.position = 100.0F * glm::vec3(pose.position.x, -pose.position.z, pose.position.y);
+        setPoses(body.skeleton, poses);
         for (glm::vec3& p : body.positionsHd)
             p = 100.0F * glm::vec3(p.x, -p.z, p.y);
         for (glm::vec3& n : body.normalsHd)
@@ -196,12 +196,12 @@ private Q_SLOTS:
         const HeadGuess guess = guessHead(body);
         QCOMPARE(guess.unitScale, 0.01F);
         QVERIFY(guess.upAxis == UpAxis::Z);
-        QVERIFY(guessHead(sim::HeadMesh(body)).unitScale < 0.01F);
+        QCOMPARE(guessHead(sim::HeadMesh(body)).unitScale, 0.01F); // It is as slender without its joints.
         const auto head = makeHead(QStringLiteral("body"), glbFromMesh(body), 0.01F, UpAxis::Z);
         QVERIFY(head);
         const Checked<HeadSkeleton> skeleton = skeletonOf(**head);
         QVERIFY(skeleton && withinLimits(*skeleton, body.positionsHd.size()));
-        const std::vector<JointPlace> found = placesOf(*skeleton);
+        const std::vector<JointPose> found = posesOf(*skeleton);
         for (std::size_t i = 0; i < found.size(); ++i)
             QVERIFY(isNear(found[i].position, test::kMannequin[i].position));
         // What pointed up in the file still does.

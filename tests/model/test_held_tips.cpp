@@ -47,7 +47,7 @@ private Q_SLOTS:
         QTest::addColumn<double>("part");
         QTest::newRow("short") << QStringLiteral("Quiff") << 0.99;
         QTest::newRow("as far as the chin") << QStringLiteral("Bob") << 0.85;
-        // What hangs free beyond where a lay reaches keeps its way only roughly.
+        // What hangs free beyond where a lay reaches keeps its direction only roughly.
         QTest::newRow("over the shoulders") << QStringLiteral("Long straight") << 0.4;
     }
     void tipsStay()

@@ -26,8 +26,8 @@ Project hairyPatch()
     return project;
 }
 
-/// Its hair, where every strand goes straight along `wayWo`.
-std::shared_ptr<const sim::StrandFrame> leaning(const Document& document, glm::vec3 wayHd,
+/// Its hair, where every strand goes straight along `directionWo`.
+std::shared_ptr<const sim::StrandFrame> leaning(const Document& document, glm::vec3 directionHd,
                                                 const sim::HeadPose& pose = {})
 {
     sim::Simulation simulation;
@@ -42,8 +42,9 @@ std::shared_ptr<const sim::StrandFrame> leaning(const Document& document, glm::v
             if (!groom.isDrawn(slot))
                 continue;
             for (int i = 0; i < groom.nodes; ++i) {
-                const glm::vec3 nodeHd = groom.roots->positionHd[slot] +
-                                         wayHd * (0.15F * static_cast<float>(i) / static_cast<float>(groom.nodes - 1));
+                const glm::vec3 nodeHd =
+                    groom.roots->positionHd[slot] +
+                    directionHd * (0.15F * static_cast<float>(i) / static_cast<float>(groom.nodes - 1));
                 groom.blocks().setNode(group.positions, groom.frameStrand(slot), static_cast<std::size_t>(i),
                                        pose.rotation * nodeHd + pose.positionWo);
             }
@@ -88,16 +89,16 @@ private Q_SLOTS:
     void theFieldIsWhatHairsNearSay()
     {
         std::mt19937 random(5);
-        std::uniform_real_distribution<float> place(0.2F, 0.8F);
+        std::uniform_real_distribution<float> coordinate(0.2F, 0.8F);
         std::vector<LyingHair> hairs;
         for (int i = 0; i < 3000; ++i) {
-            const glm::vec2 uv(place(random), place(random));
+            const glm::vec2 uv(coordinate(random), coordinate(random));
             // Lies to the left in one half and stands to the right in the other.
             hairs.push_back({.uv = uv, .direction = uv.x < 0.5F ? glm::vec2(-0.9F, 0.0F) : glm::vec2(0.3F, 0.0F)});
         }
         const LyingField field(hairs);
         for (int i = 0; i < 500; ++i) {
-            const glm::vec2 uv(place(random), place(random));
+            const glm::vec2 uv(coordinate(random), coordinate(random));
             const std::optional<glm::vec2> direction = field.at(uv);
             QVERIFY(direction.has_value());
             if (std::abs(uv.x - 0.5F) > 0.05F)

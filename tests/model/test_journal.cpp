@@ -179,7 +179,7 @@ void TestJournal::stepsComeBackWithWhatWasUndone()
     QCOMPARE(work->steps.size(), 4U);
     QCOMPARE(work->current, 3U);
     QCOMPARE(difference(work->steps.back().project, other), QString());
-    // Another project: no way back.
+    // Another project: nothing can be undone.
     QVERIFY(writer.append(stateAt(makeSampleProject(512), 0, 0)));
     work = recovered();
     QVERIFY(work);
@@ -358,11 +358,11 @@ void TestJournal::stepsGoFromAWriterThatFailedToTheNext()
     QVERIFY(work);
     QCOMPARE(work->steps.size(), 5U);
     QCOMPARE(difference(work->steps.back().project, project), QString());
-    QVERIFY(next.isInPlace());
+    QVERIFY(next.isAtPath());
     QVERIFY(QFile::remove(file()));
-    QVERIFY(!next.isInPlace());
+    QVERIFY(!next.isAtPath());
     QVERIFY(next.writeAnew());
-    QVERIFY(next.isInPlace());
+    QVERIFY(next.isAtPath());
     QCOMPARE(recovered()->steps.size(), 5U);
 #endif
 }

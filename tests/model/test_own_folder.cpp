@@ -28,11 +28,11 @@ class TestOwnFolder : public QObject
     Q_OBJECT
 #ifdef Q_OS_UNIX
 private:
-    std::unique_ptr<QTemporaryDir> m_place;
+    std::unique_ptr<QTemporaryDir> m_folder;
 
     [[nodiscard]] QString path(const QString& name) const
     {
-        return m_place->filePath(name);
+        return m_folder->filePath(name);
     }
     [[nodiscard]] OwnFolder own() const
     {
@@ -60,7 +60,7 @@ private:
 private Q_SLOTS:
     void init()
     {
-        m_place = std::make_unique<QTemporaryDir>();
+        m_folder = std::make_unique<QTemporaryDir>();
         QVERIFY(QDir().mkpath(path(QStringLiteral("own"))));
     }
 
@@ -98,14 +98,14 @@ private Q_SLOTS:
         QVERIFY(isPreciousThere());
     }
 
-    void aFolderThatWasMovedIsNotInPlace()
+    void aFolderThatWasMovedIsNotAtItsPath()
     {
         const OwnFolder folder = own();
-        QVERIFY(folder.isInPlace());
+        QVERIFY(folder.isAtPath());
         QVERIFY(QDir().rename(path(QStringLiteral("own")), path(QStringLiteral("moved"))));
-        QVERIFY(!folder.isInPlace());
+        QVERIFY(!folder.isAtPath());
         QVERIFY(QDir().mkpath(path(QStringLiteral("own")))); // Another one.
-        QVERIFY(!folder.isInPlace());
+        QVERIFY(!folder.isAtPath());
     }
 
     void contentIsThatOfOrdinaryFilesAlone()
@@ -150,7 +150,7 @@ private Q_SLOTS:
     {
         onlyOrdinaryFilesAreReadAndNewOnesTakeTheNameAlone_data();
     }
-    void whatIsNoLockGivesWay()
+    void whatIsNoLockIsSweptAside()
     {
         QFETCH(QString, name);
         layTraps();
@@ -174,8 +174,8 @@ private Q_SLOTS:
         writeBytes(folder.pathOf(QStringLiteral("left")), "999999999\nhairpaint\n");
         OwnLock living(folder, QStringLiteral("living"));
         QCOMPARE(living.take(), OwnLock::State::Taken);
-        const QByteArray place = QFile::encodeName(path(QStringLiteral("own")));
-        const test::FileRefusal refusal(place.constData(),
+        const QByteArray own = QFile::encodeName(path(QStringLiteral("own")));
+        const test::FileRefusal refusal(own.constData(),
                                         isFull ? test::FileRefusal::Why::Full : test::FileRefusal::Why::ReadOnly);
         OwnLock none(folder, QStringLiteral("none"));
         QCOMPARE(none.take(), OwnLock::State::Missing);

@@ -72,11 +72,11 @@ private Q_SLOTS:
         for (const float angle : {0.7F, 0.2F, -0.3F})
             part.click(overTop(angle));
         for (const float side : {-1.0F, 1.0F}) {
-            const glm::vec3 place = kPartedBallM * glm::normalize(glm::vec3(0.15F * side, 0.97F, 0.1F));
-            const glm::vec3 way = part.directionAt(place);
-            QVERIFY(way.x * side > 0.7F);
-            QVERIFY(way.z < -0.1F && way.z > -0.45F);
-            QVERIFY(std::abs(glm::length(way) - 0.9F) < 0.02F);
+            const glm::vec3 positionHd = kPartedBallM * glm::normalize(glm::vec3(0.15F * side, 0.97F, 0.1F));
+            const glm::vec3 direction = part.directionAt(positionHd);
+            QVERIFY(direction.x * side > 0.7F);
+            QVERIFY(direction.z < -0.1F && direction.z > -0.45F);
+            QVERIFY(std::abs(glm::length(direction) - 0.9F) < 0.02F);
         }
     }
 
@@ -214,9 +214,9 @@ private Q_SLOTS:
     void deleteTakesThePointUnderThePointer()
     {
         Parter part;
-        for (const glm::vec3 place :
+        for (const glm::vec3 positionHd :
              {glm::vec3(0.0F, -0.05F, 0.0F), glm::vec3(0.03F, 0.0F, 0.0F), glm::vec3(0.0F, 0.05F, 0.0F)})
-            part.click(place);
+            part.click(positionHd);
         ToolContext now = part.context();
         part.tool.hover(part.eventAt({0.031F, 0.0F, 0.0F}), now);
         QVERIFY(part.key(Qt::Key_Delete));
@@ -236,11 +236,11 @@ private Q_SLOTS:
         // Pressed between two points, the curve gets another one there.
         const QPolygonF outline = part.tool.overlay().front().uvOutline;
         const QPointF uv = outline[outline.size() / 4];
-        const glm::vec3 place = part.skin().atUv({uv.x(), uv.y()})->positionHd;
-        part.drag(place, place + glm::vec3(-0.03F, 0.0F, 0.0F));
+        const glm::vec3 positionHd = part.skin().atUv({uv.x(), uv.y()})->positionHd;
+        part.drag(positionHd, positionHd + glm::vec3(-0.03F, 0.0F, 0.0F));
         QCOMPARE(part.handles().size(), qsizetype{4});
         const glm::vec2 second(part.handles()[1].x(), part.handles()[1].y());
-        QVERIFY(glm::distance(second, part.skin().nearest(place + glm::vec3(-0.03F, 0.0F, 0.0F)).uv) < 0.001F);
+        QVERIFY(glm::distance(second, part.skin().nearest(positionHd + glm::vec3(-0.03F, 0.0F, 0.0F)).uv) < 0.001F);
         part.document.undo(); // In one step.
         QCOMPARE(part.handles().size(), qsizetype{3});
     }

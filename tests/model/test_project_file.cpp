@@ -210,7 +210,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("path");
         QTest::newRow("a folder that is not there") << m_folder.filePath(QStringLiteral("none/a.hairpaint"));
-        QTest::newRow("a folder in its place") << m_folder.path();
+        QTest::newRow("a folder at its path") << m_folder.path();
     }
     void whatCannotBeWrittenLeavesTheOldFile()
     {
@@ -337,8 +337,8 @@ private Q_SLOTS:
     {
         QTest::addColumn<double>("parting");
         QTest::addColumn<double>("sweepBack");
-        QTest::addColumn<glm::vec3>("place");
-        QTest::addColumn<glm::vec3>("way");
+        QTest::addColumn<glm::vec3>("positionHd");
+        QTest::addColumn<glm::vec3>("direction");
         QTest::newRow("parted, on top, left") << 1.0 << 0.0 << glm::vec3(0.2F, 1.0F, 0.0F) << glm::vec3(1, 0, 0);
         QTest::newRow("parted, on top, right") << 1.0 << 0.0 << glm::vec3(-0.2F, 1.0F, 0.0F) << glm::vec3(-1, 0, 0);
         QTest::newRow("swept back, on top") << 0.0 << 1.0 << glm::vec3(0.2F, 1.0F, 0.0F) << glm::vec3(0, 0, -1);
@@ -349,8 +349,8 @@ private Q_SLOTS:
     {
         QFETCH(double, parting);
         QFETCH(double, sweepBack);
-        QFETCH(glm::vec3, place);
-        QFETCH(glm::vec3, way);
+        QFETCH(glm::vec3, positionHd);
+        QFETCH(glm::vec3, direction);
         QByteArray json = R"({"format": "hairpaint project", "format_version": 1, "next_id": 5,
             "head": {"name": "bust-1"}, "groups": [{"id": 1, "settings": {"greatest_length_m": 0.5,
             "physics": {"body": 0.25, "parting": %1, "sweep_back": %2}}}]})";
@@ -363,11 +363,11 @@ private Q_SLOTS:
         head->skin = std::make_shared<const sim::Skin>(test::makeBallHead(96, 0.1F));
         project.head = head;
         QVERIFY(paintFormerCombing(project, manifest->formerCombing));
-        const sim::SurfacePoint root = head->skin->nearest(0.1F * glm::normalize(place));
+        const sim::SurfacePoint root = head->skin->nearest(0.1F * glm::normalize(positionHd));
         const sim::TiledRaster& raster = project.groups.front().map(MapKind::Direction).layers.front().raster;
         const glm::vec3 laid = sim::SkinFrame::at(root).toHd(sim::directionOf(raster.sampleNearest(root.uv)));
         QVERIFY(std::abs(glm::length(laid) - 0.976F * 0.75F) < 0.002F);
-        QVERIFY2(glm::dot(glm::normalize(laid), way) > 0.95F,
+        QVERIFY2(glm::dot(glm::normalize(laid), direction) > 0.95F,
                  qPrintable(QStringLiteral("%1 %2 %3").arg(laid.x).arg(laid.y).arg(laid.z)));
         QCOMPARE(raster.sampleNearest(root.uv)[2], std::uint16_t{65535});
     }

@@ -74,11 +74,11 @@ struct Barber : Studio
         const glm::vec2 uv = groom().roots->uv[slot];
         return shown()->sampleScalar(uv) / before->sampleScalar(uv);
     }
-    [[nodiscard]] std::vector<std::uint32_t> placed() const
+    [[nodiscard]] std::vector<std::uint32_t> positioned() const
     {
         std::vector<std::uint32_t> slots;
         for (std::uint32_t slot = 0; slot < groom().roots->count(); ++slot)
-            if (view.hair()->places(slot))
+            if (view.hair()->isPositioned(slot))
                 slots.push_back(slot);
         return slots;
     }
@@ -130,7 +130,7 @@ private Q_SLOTS:
             const float error = std::abs(barber.kept(strand.slot) - strand.fraction) * 0.12F;
             QVERIFY2(error < 0.0005F, qPrintable(QString::number(double(error))));
         }
-        for (const std::uint32_t slot : barber.placed())
+        for (const std::uint32_t slot : barber.positioned())
             if (!cut.contains(slot))
                 QCOMPARE(barber.kept(slot), 1.0F);
     }
@@ -154,7 +154,7 @@ private Q_SLOTS:
         barber.settings.cutFraction = 0.5F;
         const Slots cut = slotsOf(crossed);
         barber.cut(kFrom, kTo);
-        for (const std::uint32_t slot : barber.placed())
+        for (const std::uint32_t slot : barber.positioned())
             if (!cut.contains(slot))
                 QCOMPARE(barber.kept(slot), 1.0F);
     }
@@ -311,7 +311,7 @@ private Q_SLOTS:
         const Slots cut = slotsOf(inside);
         for (const SeenStrand& strand : inside)
             QVERIFY(std::abs(barber.kept(strand.slot) - strand.fraction) * 0.12F < 0.0005F);
-        for (const std::uint32_t slot : barber.placed())
+        for (const std::uint32_t slot : barber.positioned())
             if (!cut.contains(slot))
                 QCOMPARE(barber.kept(slot), 1.0F);
     }

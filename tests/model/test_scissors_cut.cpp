@@ -78,7 +78,7 @@ private Q_SLOTS:
         QVERIFY2(static_cast<double>(near) > 0.88 * static_cast<double>(endsM.size()),
                  qPrintable(QStringLiteral("%1 of %2").arg(near).arg(endsM.size())));
         for (std::uint32_t slot = 0; slot < was.groom->roots->count(); ++slot)
-            if (was.places(slot) && !cut.contains(slot))
+            if (was.isPositioned(slot) && !cut.contains(slot))
                 QVERIFY(isSame(was.groom->style(slot), is.groom->style(slot)));
     }
 };

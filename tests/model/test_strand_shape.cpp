@@ -103,8 +103,8 @@ private Q_SLOTS:
         StrandScratch scratch;
         const std::vector<glm::vec3> points = {{0.0F, 0.0F, 0.0F}, {0.0F, 0.2F, 0.0F}};
         QCOMPARE(measureStrand(points, scratch).lengthM, 0.2F);
-        const std::vector<glm::vec3> onePlace(5, glm::vec3(1.0F));
-        QCOMPARE(measureStrand(onePlace, scratch).lengthM, 0.0F);
+        const std::vector<glm::vec3> onePoint(5, glm::vec3(1.0F));
+        QCOMPARE(measureStrand(onePoint, scratch).lengthM, 0.0F);
     }
 };
 

@@ -98,8 +98,8 @@ private Q_SLOTS:
         sim::GroomBuilder builder;
         std::shared_ptr<const sim::Groom> previewed;
         double seconds = 0.0;
-        for (const glm::vec3& place : {kStroke[0], kStroke[1], kStroke[2]}) {
-            ToolEvent event = studio.eventAt(place);
+        for (const glm::vec3& positionHd : {kStroke[0], kStroke[1], kStroke[2]}) {
+            ToolEvent event = studio.eventAt(positionHd);
             event.seconds = seconds += 10.0;
             part.press(event, now);
             part.release(event, now);

@@ -63,15 +63,15 @@ std::vector<glm::vec3> hairlineAndParting()
 {
     const std::shared_ptr<const Head> bust = builtInHead();
     const heads::HeadRegions& regions = heads::builtInHeads().front()->regions;
-    std::vector<glm::vec3> places;
+    std::vector<glm::vec3> points;
     for (const glm::vec3& p : bust->skin->mesh().positionsHd) {
         const bool hairline = std::abs(regions.scalpDistance(p)) < 0.001F;
         const bool parting = p.x == 0.0F && regions.scalpDistance(p) > 0.0F;
         const bool behindEar = std::abs(p.x) > 0.055F && p.y < 0.03F; // Hidden, and folded.
         if ((hairline || parting) && !behindEar)
-            places.push_back(p);
+            points.push_back(p);
     }
-    return places;
+    return points;
 }
 
 /// Hair on the built-in head: all over the scalp but for a parting a centimetre wide.
@@ -126,27 +126,27 @@ private Q_SLOTS:
         const auto& [foreign, head] = foreignHead();
         QVERIFY(head->landmarks.has_value());
         for (std::size_t i = 0; i < sim::kHeadLandmarkCount; ++i) {
-            const glm::vec3 wanted = foreign.place(builtInHead()->landmarks->positionsHd[i]);
+            const glm::vec3 wanted = foreign.moved(builtInHead()->landmarks->positionsHd[i]);
             const float off = glm::distance(head->landmarks->positionsHd[i], wanted);
             qInfo("landmark %zu is %.1f mm off", i, 1000.0 * static_cast<double>(off));
             QVERIFY(off < kToleranceM);
         }
     }
 
-    void hairlineAndPartingLieAtTheSamePlaces_data() { foreignHeads(); }
-    void hairlineAndPartingLieAtTheSamePlaces()
+    void hairlineAndPartingLieAtTheSameLandmarks_data() { foreignHeads(); }
+    void hairlineAndPartingLieAtTheSameLandmarks()
     {
         const auto& [foreign, head] = foreignHead();
         const auto correspondence = UvCorrespondence::make(builtInHead(), head, 512);
         float worst = 0.0F;
         for (const glm::vec3& wanted : hairlineAndParting()) {
-            const std::optional<glm::vec2> uv = correspondence->at(head->skin->nearest(foreign.place(wanted)).uv);
+            const std::optional<glm::vec2> uv = correspondence->at(head->skin->nearest(foreign.moved(wanted)).uv);
             QVERIFY(uv.has_value());
             const std::optional<sim::SurfacePoint> found = builtInHead()->skin->atUv(*uv);
             QVERIFY(found.has_value());
             worst = std::max(worst, glm::distance(found->positionHd, wanted));
         }
-        qInfo("worst place %.1f mm off", 1000.0 * static_cast<double>(worst));
+        qInfo("worst point %.1f mm off", 1000.0 * static_cast<double>(worst));
         QVERIFY(worst < kToleranceM);
     }
 
@@ -163,8 +163,8 @@ private Q_SLOTS:
         const auto groups = carriedGroups(m_project.groups, m_project.head, ball);
         QVERIFY(groups.has_value());
         const sim::TiledRaster& density = groups->front().map(MapKind::Density).layers.front().raster;
-        const auto grows = [&](const glm::vec3& place) {
-            return density.sampleBilinear(ball->skin->nearest(place).uv).x > 0.5F;
+        const auto grows = [&](const glm::vec3& positionHd) {
+            return density.sampleBilinear(ball->skin->nearest(positionHd).uv).x > 0.5F;
         };
         // Down the forehead, beside the parting.
         const auto beside = [](float latitude) {
@@ -246,15 +246,15 @@ private Q_SLOTS:
     }
 
     void hairLiesTheSameWayOnTheOtherHead_data() { foreignHeads(); }
-    void hairLiesTheSameWayOnTheOtherHead()
+    void hairLiesInTheSameDirectionOnTheOtherHead()
     {
         const auto& [foreign, head] = foreignHead();
         Project project = newProject();
         project.groups = {makeGroup(project, QStringLiteral("Scalp"), 512)};
         sim::TiledRaster& painted = project.groups.front().map(MapKind::Direction).layers.front().raster;
         const heads::HeadRegions& regions = heads::builtInHeads().front()->regions;
-        const glm::vec3 wayHd = glm::normalize(glm::vec3(0.3F, -1.0F, -0.4F));
-        std::vector<std::pair<glm::vec3, glm::vec3>> places; // And where hair there goes to.
+        const glm::vec3 directionHd = glm::normalize(glm::vec3(0.3F, -1.0F, -0.4F));
+        std::vector<std::pair<glm::vec3, glm::vec3>> points; // And where hair there goes to.
         for (int y = 0; y < 512; ++y)
             for (int x = 0; x < 512; ++x) {
                 const glm::vec2 uv((static_cast<float>(x) + 0.5F) / 512.0F,
@@ -263,22 +263,22 @@ private Q_SLOTS:
                 if (!point)
                     continue;
                 const sim::SkinFrame frame = sim::SkinFrame::at(*point);
-                const glm::vec2 along = frame.fromHd(wayHd);
+                const glm::vec2 along = frame.fromHd(directionHd);
                 sim::Texel texel = sim::texelOfDirection(along * (0.8F / glm::length(along)));
                 texel[2] = 65535;
                 painted.setTexel(x, y, texel);
                 if (x % 8 == 0 && y % 8 == 0 && glm::length(along) > 0.4F &&
                     regions.scalpDistance(point->positionHd) > 0.01F)
-                    places.emplace_back(point->positionHd,
+                    points.emplace_back(point->positionHd,
                                         point->positionHd + 0.002F * glm::normalize(frame.toHd(along)));
             }
         const auto groups = carriedGroups(project.groups, builtInHead(), head);
         const sim::TiledRaster& carried = groups->front().map(MapKind::Direction).layers.front().raster;
         std::vector<float> offDeg;
-        for (const auto& [from, to] : places) {
-            const sim::SurfacePoint root = head->skin->nearest(foreign.place(from));
+        for (const auto& [from, to] : points) {
+            const sim::SurfacePoint root = head->skin->nearest(foreign.moved(from));
             const sim::SkinFrame frame = sim::SkinFrame::at(root);
-            const glm::vec2 wanted = frame.fromHd(foreign.place(to) - foreign.place(from));
+            const glm::vec2 wanted = frame.fromHd(foreign.moved(to) - foreign.moved(from));
             const glm::vec2 found = sim::directionOf(carried.sampleNearest(root.uv));
             if (carried.sampleNearest(root.uv)[2] < 65535)
                 continue;
@@ -289,7 +289,7 @@ private Q_SLOTS:
         std::ranges::sort(offDeg);
         QVERIFY(offDeg.size() > 500);
         const float most = offDeg[offDeg.size() * 95 / 100];
-        qInfo("of %zu places 95 %% are under %.1f degrees off", offDeg.size(), static_cast<double>(most));
+        qInfo("of %zu points 95 %% are under %.1f degrees off", offDeg.size(), static_cast<double>(most));
         // A scan is rough: its own skin leans by more.
         QFETCH(bool, scan);
         QVERIFY(most < (scan ? 30.0F : 5.0F));
@@ -359,24 +359,24 @@ private Q_SLOTS:
         QVERIFY(document.committed().head == child && document.committed().groups == *carried);
     }
 
-    void landmarksThatAFileMisplacesDoNoHarm_data()
+    void landmarksThatAFileHasWrongDoNoHarm_data()
     {
         QTest::addColumn<float>("scatterM");
-        QTest::newRow("all in one place") << 0.0F;
+        QTest::newRow("all at one point") << 0.0F;
         QTest::newRow("nearly so") << 1e-5F;
         QTest::newRow("a kilometre away") << 1000.0F;
     }
-    void landmarksThatAFileMisplacesDoNoHarm()
+    void landmarksThatAFileHasWrongDoNoHarm()
     {
         QFETCH(float, scatterM);
-        sim::HeadLandmarks misplaced;
+        sim::HeadLandmarks wrong;
         for (std::size_t i = 0; i < sim::kHeadLandmarkCount; ++i) {
             const auto angle = static_cast<float>(i);
-            misplaced.positionsHd[i] =
+            wrong.positionsHd[i] =
                 scatterM * glm::vec3(std::sin(angle), std::cos(2.0F * angle), std::sin(3.0F * angle));
         }
-        const Checked<std::shared_ptr<const Head>> head = headFromGlb(
-            QStringLiteral("ball"), glbFromMesh(test::makeBallHead(24, 0.1F)), 1.0F, UpAxis::Y, {}, misplaced);
+        const Checked<std::shared_ptr<const Head>> head =
+            headFromGlb(QStringLiteral("ball"), glbFromMesh(test::makeBallHead(24, 0.1F)), 1.0F, UpAxis::Y, {}, wrong);
         QVERIFY(head && *head);
         for (const glm::vec3& p : (*head)->landmarks->positionsHd)
             QVERIFY(std::abs(glm::length(p) - 0.1F) < 0.002F);

@@ -257,7 +257,7 @@ void TestTools::toolsHaveTheirOwnIdsKeysAndHints()
         QVERIFY(!tool->hint().isEmpty());
     }
     QCOMPARE(ids.join(QLatin1Char(' ')),
-             QStringLiteral("brush eraser comb part grab scissors gradient fill shape select picker"));
+             QStringLiteral("brush eraser comb part grab fingers scissors gradient fill shape select picker"));
     QCOMPARE(keys.join(QLatin1Char(' ')), QStringLiteral("B E C P Y K G Shift+G U M I"));
 }
 

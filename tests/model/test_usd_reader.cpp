@@ -300,7 +300,7 @@ private Q_SLOTS:
         QTest::newRow("cut in an array") << whole.first(whole.indexOf("2.5e0"));
         QTest::newRow("cut in a text") << QByteArray("#usda 1.0\n(\n doc = \"");
         QTest::newRow("too deep") << "#usda 1.0\n" + QByteArray("def \"a\" {").repeated(1000);
-        QTest::newRow("an unknown way to move")
+        QTest::newRow("an unknown kind of motion")
             << textOf(kCurves, "", "float xformOp:shear = 1\nuniform token[] xformOpOrder = [\"xformOp:shear\"]\n");
         QTest::newRow("moved as nothing says")
             << textOf(kCurves, "", "uniform token[] xformOpOrder = [\"xformOp:scale\"]\n");

@@ -47,6 +47,9 @@ Project wearingAll()
 {
     Project project = sample();
     project.worn.clear();
+    for (HairGroup& group : project.groups) // What is painted is worn, too.
+        for (Layer& layer : group.map(MapKind::Accessory).layers)
+            layer.raster = emptyRaster(mapSpec(MapKind::Accessory), layer.raster.size());
     for (int turn = 0; turn < 2; ++turn)
         for (std::size_t i = wornSpecs().size(); i-- > 0;) {
             Worn worn = onTop(wornSpecs()[i].kind);
@@ -60,6 +63,19 @@ Project wearingAll()
 QJsonObject rootOf(const QByteArray& json)
 {
     return QJsonDocument::fromJson(json).object();
+}
+
+void checkBody(const sim::HeadMesh& mesh, float reach)
+{
+    QVERIFY(sim::openEdges(mesh).empty());
+    QVERIFY(mesh.normalsHd.size() == mesh.positionsHd.size() && mesh.uvs.size() == mesh.positionsHd.size());
+    for (const glm::vec3& position : mesh.positionsHd)
+        QVERIFY(glm::length(position) < reach + 1e-4F);
+    for (const glm::uvec3& triangle : mesh.triangles) {
+        const glm::vec3& a = mesh.positionsHd[triangle.x];
+        const glm::vec3 across = glm::cross(mesh.positionsHd[triangle.y] - a, mesh.positionsHd[triangle.z] - a);
+        QVERIFY(glm::dot(across, mesh.normalsHd[triangle.x]) > 0.0F); // Counter-clockwise from outside.
+    }
 }
 
 void forEveryKind()
@@ -104,17 +120,22 @@ private Q_SLOTS:
         for (const WornSpec& spec : wornSpecs()) {
             if (!spec.drawn())
                 continue;
-            const std::shared_ptr<const sim::HeadMesh> mesh = spec.mesh();
-            QVERIFY(mesh == spec.mesh()); // Made once, so that it is uploaded once.
-            QVERIFY(sim::openEdges(*mesh).empty());
-            QVERIFY(mesh->normalsHd.size() == mesh->positionsHd.size() && mesh->uvs.size() == mesh->positionsHd.size());
-            for (const glm::vec3& position : mesh->positionsHd)
-                QVERIFY(glm::length(position) < 1.0001F);
-            for (const glm::uvec3& triangle : mesh->triangles) {
-                const glm::vec3& a = mesh->positionsHd[triangle.x];
-                const glm::vec3 across =
-                    glm::cross(mesh->positionsHd[triangle.y] - a, mesh->positionsHd[triangle.z] - a);
-                QVERIFY(glm::dot(across, mesh->normalsHd[triangle.x]) > 0.0F); // Counter-clockwise from outside.
+            std::vector<std::shared_ptr<const sim::HeadMesh>> meshes{spec.mesh()};
+            QVERIFY(meshes.front() == spec.mesh()); // Made once, so that it is uploaded once.
+            for (const WornMake& make : spec.makes)
+                meshes.push_back(make.mesh());
+            for (const auto& mesh : meshes)
+                checkBody(*mesh, spec.reach);
+        }
+        // On a ball of 10 cm a band lies a little off the skin, whichever way round it is put.
+        const sim::Skin skin(test::makeBallHead());
+        for (const glm::vec2 uv : {glm::vec2(0.5F, 0.98F), glm::vec2(0.5F, 0.8F), glm::vec2(0.3F, 0.6F)}) {
+            const Worn band = makeWorn(wornSpec(WornKind::Headband), *skin.atUv(uv));
+            const std::shared_ptr<const sim::HeadMesh> mesh = wornMesh(band, &skin);
+            checkBody(*mesh, wornSpec(WornKind::Headband).reach);
+            for (const glm::vec3& position : mesh->positionsHd) {
+                const glm::vec3 onHead = band.shape.centreHd + band.shape.rotation * (position * band.shape.semiAxesM);
+                QVERIFY(glm::length(onHead) > 0.1F && glm::length(onHead) < 0.112F);
             }
         }
     }
@@ -156,9 +177,12 @@ private Q_SLOTS:
                 json[QLatin1String("accessors")][attributes[QLatin1String("POSITION")].toInt()];
             for (int axis = 0; axis < 3; ++axis) {
                 const auto centre = static_cast<double>(worn.shape.centreHd[axis]);
-                const auto radius = static_cast<double>(worn.shape.semiAxesM.x);
-                QVERIFY(std::abs(positions[QLatin1String("min")][axis].toDouble() - centre + radius) < 1e-4);
-                QVERIFY(std::abs(positions[QLatin1String("max")][axis].toDouble() - centre - radius) < 1e-4);
+                const auto radius = static_cast<double>(worn.shape.semiAxesM.x * spec.reach);
+                const double below = centre - positions[QLatin1String("min")][axis].toDouble();
+                const double above = positions[QLatin1String("max")][axis].toDouble() - centre;
+                if (worn.kind == WornKind::Ball)
+                    QVERIFY(std::abs(below - radius) < 1e-4 && std::abs(above - radius) < 1e-4);
+                QVERIFY(below < 1.2 * radius && above < 1.2 * radius);
             }
         }
     }
@@ -254,7 +278,7 @@ private Q_SLOTS:
         made->skin = std::make_shared<const sim::Skin>(smaller.mesh);
         made->landmarks = *head->landmarks;
         for (glm::vec3& position : made->landmarks->positionsHd)
-            position = smaller.place(position);
+            position = smaller.moved(position);
         const std::shared_ptr<const Head> other = made;
         std::vector<Id> ids;
         for (const sim::HeadLandmark landmark : {sim::HeadLandmark::Crown, sim::HeadLandmark::EarLeft}) {

@@ -111,8 +111,9 @@ Scene cards()
             const glm::vec3 normal = std::sin(down) * out + glm::vec3(0.0F, std::cos(down), 0.0F);
             const glm::vec3 middle = 1.2F * kBall * normal;
             for (const float right : {-1.0F, 1.0F})
-                set->corners.push_back(
-                    {.placeHd = middle + right * 0.012F * side, .normalHd = normal, .uv = {0.5F + 0.5F * right, part}});
+                set->corners.push_back({.positionHd = middle + right * 0.012F * side,
+                                        .normalHd = normal,
+                                        .uv = {0.5F + 0.5F * right, part}});
             if (i == kSegments)
                 continue;
             const auto at = static_cast<std::uint32_t>(set->corners.size()) - 2;

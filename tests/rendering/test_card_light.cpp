@@ -64,7 +64,7 @@ private Q_SLOTS:
         QTest::newRow("software") << true;
         QTest::newRow("OpenGL") << false;
     }
-    void theWayHairScattersLightIsSeen()
+    void theScatteringOfHairIsSeen()
     {
         QFETCH(bool, software);
         Scene scene = cardScene();

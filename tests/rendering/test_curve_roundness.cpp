@@ -58,16 +58,16 @@ StrandBlock blockOf(const RoundStrand& strand)
     block.tangentWo[0] = 1.0F;
     for (int n = 0; n < kNodes; ++n) {
         const float s = static_cast<float>(n) / (kNodes - 1);
-        glm::vec3 place(0.0F, kLengthM * (0.5F - s), 0.0F);
+        glm::vec3 position(0.0F, kLengthM * (0.5F - s), 0.0F);
         if (strand.bendRad > 0.0F) {
             const float radiusM = kLengthM / strand.bendRad;
             const float angle = strand.bendRad * (s - 0.5F);
-            place = {radiusM * (std::cos(angle) - 1.0F), -radiusM * std::sin(angle), 0.0F};
+            position = {radiusM * (std::cos(angle) - 1.0F), -radiusM * std::sin(angle), 0.0F};
         }
         for (std::size_t lane = 0; lane < kBlockLanes; ++lane)
             for (int axis = 0; axis < 3; ++axis)
                 block.nodesWo[(static_cast<std::size_t>(n) * 3 + static_cast<std::size_t>(axis)) * kBlockLanes + lane] =
-                    place[axis];
+                    position[axis];
     }
     return block;
 }
@@ -189,7 +189,7 @@ private Q_SLOTS:
         const auto inPicture = [](glm::vec2 p) { return p.x > 0.0F && p.x < 2000.0F && p.y > 0.0F && p.y < 2000.0F; };
         constexpr std::size_t kAround = 3;
         float worst = 0.0F;
-        std::size_t at = 0; // Both go the same way: the segment nearest by number is the one.
+        std::size_t at = 0; // Both run in the same direction: the segment nearest by number is the one.
         for (std::size_t i = 0; i < curve.size(); ++i) {
             if (!inPicture(curve[i]))
                 continue;

@@ -293,14 +293,14 @@ private Q_SLOTS:
 
     void lightShinesThroughHairBehindWhichNoHeadStands()
     {
-        // Nothing but what goes through: black hair that takes nothing on the way, seen along z.
+        // Nothing but what goes through: black hair that absorbs nothing, seen along z.
         const auto glow = [](glm::vec3 fromHead, float headRadiusM) {
             HairLighting lighting;
             lighting.eyeWo = {0.0F, 0.0F, 100.0F};
             lighting.rim = {.towardWo = glm::normalize(glm::vec3(0.95F, 0.0F, -0.31F)), .colour = glm::vec3(1.0F)};
             lighting.headRadiusM = headRadiusM;
             lighting.shine = 0.0F;
-            const simd::HairPoint<float> point{.place = {fromHead.x, fromHead.y, fromHead.z},
+            const simd::HairPoint<float> point{.position = {fromHead.x, fromHead.y, fromHead.z},
                                                .tangent = {0.0F, 1.0F, 0.0F},
                                                .colour = grey(0.0F),
                                                .depth = grey(0.0F),
@@ -400,13 +400,13 @@ private Q_SLOTS:
             constants.keyWo.w = static_cast<float>(model);
             const HairLighting lighting = hairLighting(constants, material);
             for (int i = 0; i < 500; ++i) {
-                const glm::vec3 place = random.direction() * 0.12F;
+                const glm::vec3 position = random.direction() * 0.12F;
                 const glm::vec3 tangent = random.direction();
                 const auto colour = static_cast<float>(random.between(0.0, 1.0));
                 const auto crossed = static_cast<float>(random.between(0.0, 9.0));
                 const auto pointOf = [&]<class F>(F) {
                     const simd::Triple<F> c{F(colour), F(colour * 0.7F), F(colour * 0.2F)};
-                    return simd::HairPoint<F>{simd::tripleOf<F>(place),
+                    return simd::HairPoint<F>{simd::tripleOf<F>(position),
                                               simd::tripleOf<F>(tangent),
                                               c,
                                               simd::fibreDepth(c),

@@ -23,12 +23,12 @@ namespace simd = hairpaint::rendering::HWY_NAMESPACE;
 namespace {
 
 /// std430.
-struct GpuPlace
+struct GpuPoint
 {
-    glm::vec4 place;   ///< w: shine.
-    glm::vec4 tangent; ///< w: variation.
-    glm::vec4 colour;  ///< w: roughness.
-    glm::vec4 crossed; ///< Toward key, eye, rim; w: gloss.
+    glm::vec4 position; ///< w: shine.
+    glm::vec4 tangent;  ///< w: variation.
+    glm::vec4 colour;   ///< w: roughness.
+    glm::vec4 crossed;  ///< Toward key, eye, rim; w: gloss.
 };
 struct GpuLit
 {
@@ -39,17 +39,17 @@ struct GpuLit
 
 constexpr const char* kShader = R"(
 layout(local_size_x = 64) in;
-struct Place { vec4 place, tangent, colour, crossed; };
+struct Point { vec4 position, tangent, colour, crossed; };
 struct Lit { vec4 lit, shown, kept; };
-layout(std430, binding = 0) readonly buffer Places { Place places[]; };
+layout(std430, binding = 0) readonly buffer Points { Point points[]; };
 layout(std430, binding = 1) writeonly buffer Lits { Lit lits[]; };
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    Place p = places[i];
-    HairPoint point = HairPoint(p.place.xyz, p.tangent.xyz, p.colour.rgb, fibreDepth(p.colour.rgb), p.tangent.w,
+    Point p = points[i];
+    HairPoint point = HairPoint(p.position.xyz, p.tangent.xyz, p.colour.rgb, fibreDepth(p.colour.rgb), p.tangent.w,
                                 p.crossed.x, p.crossed.y, p.crossed.z, 1.0 + p.crossed.w, 1.0 + 1.5 * p.crossed.w);
-    vec3 lit = hairLight(point, p.place.w, p.colour.w);
+    vec3 lit = hairLight(point, p.position.w, p.colour.w);
     lits[i] = Lit(vec4(lit, 0.0), vec4(toneOf(lit), 0.0), vec4(lightHeld(heldLight(lit)), 0.0));
 }
 )";
@@ -112,19 +112,19 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < constants.around.size(); ++i)
             constants.around.at(i) = glm::vec4(irradianceOf(EnvironmentKind::Sunset).at(i), 0.0F);
 
-        constexpr std::size_t kPlaces = 8192;
-        std::vector<GpuPlace> places(kPlaces);
-        for (GpuPlace& p : places)
-            p = {.place = glm::vec4(direction() * between(0.08F, 0.3F), between(0.0F, 1.0F)),
+        constexpr std::size_t kPoints = 8192;
+        std::vector<GpuPoint> points(kPoints);
+        for (GpuPoint& p : points)
+            p = {.position = glm::vec4(direction() * between(0.08F, 0.3F), between(0.0F, 1.0F)),
                  .tangent = glm::vec4(direction(), between(-0.2F, 0.2F)),
                  .colour = {between(0.0F, 1.0F), between(0.0F, 1.0F), between(0.0F, 1.0F), between(0.0F, 1.0F)},
                  .crossed = {between(0.0F, 12.0F), between(0.0F, 12.0F), between(0.0F, 12.0F), between(-0.6F, 1.0F)}};
-        std::vector<GpuLit> lits(kPlaces);
+        std::vector<GpuLit> lits(kPoints);
         Buffer uniforms;
         uniforms.assign(&constants, sizeof(constants));
         uniforms.bindUniform(0);
         Buffer input;
-        input.assign(places.data(), places.size() * sizeof(GpuPlace));
+        input.assign(points.data(), points.size() * sizeof(GpuPoint));
         input.bindStorage(0);
         Buffer output;
         output.assign(lits.data(), lits.size() * sizeof(GpuLit));
@@ -133,22 +133,22 @@ private Q_SLOTS:
         const unsigned program = compiled(problem);
         QVERIFY2(problem.empty(), problem.c_str());
         glUseProgram(program);
-        glDispatchCompute(kPlaces / 64, 1, 1);
+        glDispatchCompute(kPoints / 64, 1, 1);
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         output.read(lits.data(), lits.size() * sizeof(GpuLit));
         glUseProgram(0);
         glDeleteProgram(program);
 
         float brightest = 0.0F;
-        for (std::size_t i = 0; i < kPlaces; ++i) {
-            const GpuPlace& p = places[i];
+        for (std::size_t i = 0; i < kPoints; ++i) {
+            const GpuPoint& p = points[i];
             sim::StrandMaterial material;
-            material.shine = p.place.w;
+            material.shine = p.position.w;
             material.roughness = p.colour.w;
             const auto colour = simd::tripleOf<float>(p.colour);
             const auto lit = simd::hairLight(
                 hairLighting(constants, material),
-                simd::HairPoint<float>{simd::tripleOf<float>(p.place), simd::tripleOf<float>(p.tangent), colour,
+                simd::HairPoint<float>{simd::tripleOf<float>(p.position), simd::tripleOf<float>(p.tangent), colour,
                                        simd::fibreDepth(colour), p.tangent.w, p.crossed.x, p.crossed.y, p.crossed.z,
                                        1.0F + p.crossed.w, 1.0F + 1.5F * p.crossed.w});
             const glm::vec3 expected(lit.x, lit.y, lit.z);

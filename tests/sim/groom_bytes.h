@@ -25,7 +25,7 @@ inline const char* differenceOf(const sim::Groom& a, const sim::Groom& b)
     if (!sameBytes(a.roots->rankOfSlot, b.roots->rankOfSlot) || !sameBytes(a.roots->positionHd, b.roots->positionHd))
         return "roots";
     if (!sameBytes(a.packedChunk, b.packedChunk) || a.packedChunks != b.packedChunks)
-        return "places of chunks";
+        return "indices of chunks";
     if (!sameBytes(a.basis->wanted, b.basis->wanted))
         return "wanted basis hairs";
     if (!sameBytes(a.basis->restPositions, b.basis->restPositions))
@@ -50,7 +50,13 @@ inline const char* differenceOf(const sim::Groom& a, const sim::Groom& b)
             return "braid centres";
         if (!sameBytes(x.lockLeader, y.lockLeader) || !sameBytes(x.clump, y.clump))
             return "locks";
+        if (x.gathered != y.gathered || x.tailed != y.tailed || !sameBytes(x.followed, y.followed))
+            return "gathered hairs";
     }
+    if ((a.tails == nullptr) != (b.tails == nullptr))
+        return "whether there are tails";
+    if (a.tails)
+        return differenceOf(*a.tails, *b.tails) != nullptr ? "tails" : nullptr;
     return nullptr;
 }
 

@@ -107,7 +107,7 @@ float coatThickness(const Simulation& simulation)
     const GroupFrame& group = frame.groups.front();
     std::vector<float> heights;
     for (std::size_t slot = 0; slot < group.groom->chunks.size() * kChunkSlots; ++slot) {
-        if (!group.places(slot))
+        if (!group.isPositioned(slot))
             continue;
         for (std::size_t node = 1; node < static_cast<std::size_t>(group.groom->nodes); ++node) {
             const glm::vec3 p = group.groom->blocks().node(group.positions, group.groom->frameStrand(slot), node);

@@ -47,8 +47,8 @@ private Q_SLOTS:
     void separateRegionsAreSeparateBraids();
     void aLargeRegionHasBraidsAsFarApartAsAsked();
     void allHairsOfABraidShareItsSkeleton();
-    void hairsOnTheirWayStayOutsideTheHead();
-    void wispsAndPlacesAreSpreadEvenly();
+    void hairsOfABraidStayOutsideTheHead();
+    void wispsAndTheirRootsAreSpreadEvenly();
     void paintingElsewhereLeavesABraidAlone();
     void theLengthAtTheCentreIsTheBraids();
     void aTinyDabBetweenBasisHairsIsNoBraid();
@@ -153,7 +153,7 @@ void TestBraids::allHairsOfABraidShareItsSkeleton()
     }
 }
 
-void TestBraids::hairsOnTheirWayStayOutsideTheHead()
+void TestBraids::hairsOfABraidStayOutsideTheHead()
 {
     GroomInput input = braidInput(std::make_shared<const Skin>(makeBallHead(96, 0.1F)));
     input.groups[0].settings.greatestDensityPerM2 = 1e5F;
@@ -169,7 +169,7 @@ void TestBraids::hairsOnTheirWayStayOutsideTheHead()
                 QVERIFY(glm::length(restNode(*groom, slot, node)) > 0.0995F);
 }
 
-void TestBraids::wispsAndPlacesAreSpreadEvenly()
+void TestBraids::wispsAndTheirRootsAreSpreadEvenly()
 {
     GroomInput input = braidInput(patch());
     input.groups[0].maps[MapSlot::Braid] = indexMap(1);

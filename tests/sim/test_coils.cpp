@@ -60,7 +60,7 @@ Measured measured(const StrandStyle& style, const CurlSettings& curl)
     float widest = 0.0F;
     float narrowest = 0.0F;
     int turning = 0; // Steps that go round,
-    int lastWay = 0;
+    int lastSign = 0;
     int switches = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
         const glm::vec3 a = points[i - 1];
@@ -77,9 +77,9 @@ Measured measured(const StrandStyle& style, const CurlSettings& curl)
         if (std::abs(angle) < 0.25F * kFullTurnRad / kPointsPerTurn)
             continue;
         ++turning;
-        const int way = angle > 0.0F ? 1 : -1;
-        switches += lastWay != 0 && way != lastWay ? 1 : 0;
-        lastWay = way;
+        const int sign = angle > 0.0F ? 1 : -1;
+        switches += lastSign != 0 && sign != lastSign ? 1 : 0;
+        lastSign = sign;
     }
     const float seenM = style.lengthM * 0.9F;
     const float turns = static_cast<float>(turning) / kPointsPerTurn;

@@ -44,17 +44,17 @@ private Q_SLOTS:
         std::mt19937 random(1);
         std::uniform_real_distribution<float> unit(-1.0F, 1.0F);
         for (int i = 0; i < 20000; ++i) {
-            const glm::vec3 place = 0.12F * glm::vec3(unit(random), unit(random), unit(random));
-            const auto sample = grid->at(place);
+            const glm::vec3 position = 0.12F * glm::vec3(unit(random), unit(random), unit(random));
+            const auto sample = grid->at(position);
             QVERIFY(sample);
-            const float distance = glm::length(place) - kRadiusM;
+            const float distance = glm::length(position) - kRadiusM;
             const float expected = std::clamp(distance, -DistanceGrid::kReachM, DistanceGrid::kReachM);
             // Beside the cut-off the mean of nodes is a little less.
             const float tolerance = std::abs(distance) < DistanceGrid::kReachM - 0.006F ? 0.0004F : 0.002F;
             QVERIFY2(std::abs(sample->distanceM - expected) < tolerance,
                      qPrintable(QStringLiteral("%1 %2").arg(sample->distanceM).arg(expected)));
             if (std::abs(distance) < 0.015F)
-                QVERIFY(glm::distance(sample->gradient, glm::normalize(place)) < 0.12F);
+                QVERIFY(glm::distance(sample->gradient, glm::normalize(position)) < 0.12F);
         }
         QVERIFY(!grid->at({0.2F, 0.0F, 0.0F}));
         QVERIFY(!grid->at({0.0F, std::numeric_limits<float>::quiet_NaN(), 0.0F}));

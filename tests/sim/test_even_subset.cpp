@@ -1,4 +1,5 @@
-// Of the hairs that are there, an even share can be kept: exact in number, alike everywhere, smaller shares in larger.
+// Of the hairs that are there, an even subset can be kept: exact in number, alike everywhere, smaller ones within
+// larger.
 #include "sim/groom/even_subset.h"
 #include "tests/support/test_grooms.h"
 #include "tests/support/test_heads.h"
@@ -58,7 +59,7 @@ class TestEvenSubset : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
-    void theNumberIsExactAndSmallerSharesArePartsOfLarger()
+    void theNumberIsExactAndSmallerSubsetsArePartsOfLarger()
     {
         const Grooms all = twoGroups();
         auto larger = drawn(all);
@@ -71,7 +72,7 @@ private Q_SLOTS:
         }
     }
 
-    void everywhereTheSameShareIsKept()
+    void everywhereTheSameFractionIsKept()
     {
         const Grooms all = twoGroups();
         const Grooms kept = evenSubset(all, drawn(all).size() / 4);
@@ -88,7 +89,7 @@ private Q_SLOTS:
                 const double fraction = inHalf(*kept[group], left) / inHalf(*all[group], left);
                 QVERIFY2(std::abs(fraction - 0.25) < 0.01, qPrintable(QString::number(fraction)));
             }
-        QCOMPARE(inHalf(*kept[1], true), inHalf(*all[1], true)); // Hidden hair is nobody's share.
+        QCOMPARE(inHalf(*kept[1], true), inHalf(*all[1], true)); // Hidden hair is in no subset.
     }
 
     void allAreKeptWhereThereAreNoMore()

@@ -75,7 +75,7 @@ private Q_SLOTS:
     void settingsThatLeaveTheHairsAloneShareThem();
     void settingsThatChangeTheHairsEqualAFreshBuild_data();
     void settingsThatChangeTheHairsEqualAFreshBuild();
-    void groupsComeGoAndChangePlaces();
+    void groupsComeGoAndChangeOrder();
     void anyNumberOfThreadsGivesTheSameBytes_data();
     void anyNumberOfThreadsGivesTheSameBytes();
 };
@@ -248,7 +248,8 @@ void TestGroomUpdates::repaintingTheOldValueBringsTheOldBytesBack_data()
 {
     QTest::addColumn<MapSlot>("map");
     for (const MapRule& rule : kMapRules)
-        QTest::addRow("map %zu", indexOf(rule.slot)) << rule.slot;
+        if (rule.effect != MapEffect{})
+            QTest::addRow("map %zu", indexOf(rule.slot)) << rule.slot;
 }
 
 void TestGroomUpdates::repaintingTheOldValueBringsTheOldBytesBack()
@@ -376,7 +377,7 @@ void TestGroomUpdates::settingsThatChangeTheHairsEqualAFreshBuild()
     verifySame(*after, *GroomBuilder().update(input).grooms[0], QStringLiteral("after"));
 }
 
-void TestGroomUpdates::groupsComeGoAndChangePlaces()
+void TestGroomUpdates::groupsComeGoAndChangeOrder()
 {
     GroomInput input = startInput();
     GroomInput::Group brow = input.groups[0];

@@ -22,7 +22,7 @@ HeadLandmarks someLandmarks()
                              {0.0F, -0.112F, 0.088F}}}};
 }
 
-const std::vector<glm::vec3> kPlaces = {
+const std::vector<glm::vec3> kPoints = {
     {0.0F, 0.0F, 0.0F}, {0.05F, 0.08F, 0.02F}, {-0.07F, -0.2F, 0.1F}, {0.3F, 1.0F, -0.4F}};
 
 } // namespace
@@ -46,23 +46,23 @@ private Q_SLOTS:
 
     void anAffineMapComesOutEverywhere()
     {
-        const auto place = [](const glm::vec3& p) {
+        const auto moved = [](const glm::vec3& p) {
             return glm::vec3(1.2F * p.x + 0.1F * p.y, 0.8F * p.y - 0.2F * p.z + 1.5F, 0.9F * p.z + 0.05F * p.x);
         };
         const HeadLandmarks from = someLandmarks();
         HeadLandmarks to;
         for (std::size_t i = 0; i < to.positionsHd.size(); ++i)
-            to.positionsHd[i] = place(from.positionsHd[i]);
+            to.positionsHd[i] = moved(from.positionsHd[i]);
         const HeadWarp warp(from, to);
-        for (const glm::vec3& p : kPlaces)
-            QVERIFY(glm::distance(warp(p), place(p)) < 1e-4F);
+        for (const glm::vec3& p : kPoints)
+            QVERIFY(glm::distance(warp(p), moved(p)) < 1e-4F);
     }
 
-    void landmarksInOnePlaceGiveNumbersAllTheSame()
+    void landmarksAtOnePointGiveNumbersAllTheSame()
     {
         const HeadLandmarks from{};
         const HeadWarp warp(from, someLandmarks());
-        for (const glm::vec3& p : kPlaces)
+        for (const glm::vec3& p : kPoints)
             QVERIFY(std::isfinite(glm::length(warp(p))));
     }
 };

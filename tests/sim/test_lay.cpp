@@ -98,7 +98,7 @@ private Q_SLOTS:
     void hairLeavesTheSkinAtItsAngle();
     void flatHairFollowsTheHead_data();
     void flatHairFollowsTheHead();
-    void hairLongerThanItsWayIsFree();
+    void hairLongerThanItsPathIsFree();
     void fieldsThatStandHoldNothing();
     void longHairFallsToItsSideWhereNobodyCombed();
     void hairThatStraysAcrossAPartingLiesToItsOtherSide();
@@ -161,7 +161,7 @@ void TestLay::flatHairFollowsTheHead()
     QVERIFY2(std::abs(std::abs(turned) * around / lengthM - 0.93F) < 0.15F, qPrintable(QString::number(turned)));
 }
 
-void TestLay::hairLongerThanItsWayIsFree()
+void TestLay::hairLongerThanItsPathIsFree()
 {
     const LaidBall ball({0.95F, 0.0F});
     const Nodes nodes = ball.lay(kSide, 0.5F);

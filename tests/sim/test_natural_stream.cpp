@@ -20,7 +20,7 @@ class TestNaturalStream : public QObject
 private Q_SLOTS:
     void aBallHasOneWhorlAndItsCounterpart_data();
     void aBallHasOneWhorlAndItsCounterpart();
-    void landmarksPlaceTheWhorl();
+    void landmarksPositionTheWhorl();
     void piecesApartHang();
     void theRasterTellsItInItsOwnFrames();
     void itIsTheSameEveryTime();
@@ -72,7 +72,7 @@ void TestNaturalStream::aBallHasOneWhorlAndItsCounterpart()
             -0.3F);
 }
 
-void TestNaturalStream::landmarksPlaceTheWhorl()
+void TestNaturalStream::landmarksPositionTheWhorl()
 {
     const Skin skin(makeBallHead(96, 0.1F));
     HeadLandmarks landmarks;

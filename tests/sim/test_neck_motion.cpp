@@ -1,4 +1,4 @@
-// The head on its neck: motions against what they promise, the way back, and the pose about the neck's base.
+// The head on its neck: motions against what they promise, the return, and the pose about the neck's base.
 #include "sim/motion/neck_motion.h"
 #include "sim/solver/solver_layout.h"
 #include "tests/support/test_program.h"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kDegree = std::numbers::pi_v<float> / 180.0F;
 
-glm::vec3 placed(const HeadPose& pose, glm::vec3 positionHd)
+glm::vec3 posed(const HeadPose& pose, glm::vec3 positionHd)
 {
     return pose.rotation * positionHd + pose.positionWo;
 }
@@ -120,7 +120,7 @@ private Q_SLOTS:
             const NeckAngles now = returning(from, kReturnSeconds * i / 100.0);
             QVERIFY(now.yawRad >= 0.0F && now.yawRad < before.yawRad);
             QVERIFY(now.pitchRad <= 0.0F && now.pitchRad > before.pitchRad);
-            QVERIFY(before.yawRad - now.yawRad < 0.06F); // 12/e of the way a second at its fastest
+            QVERIFY(before.yawRad - now.yawRad < 0.06F); // 12/e of the distance a second at its fastest
             before = now;
         }
         QVERIFY(before.yawRad < 2e-4F); // What is dropped at the end is not seen.
@@ -152,7 +152,7 @@ private Q_SLOTS:
         const HeadPose both = poseOn(neck, {90.0F * kDegree, 45.0F * kDegree});
         QVERIFY(glm::distance(both.rotation * ahead, glm::vec3(1.0F, -1.0F, 0.0F) * std::sqrt(0.5F)) < 1e-5F);
         for (const HeadPose& pose : {left, down, both}) {
-            QVERIFY(glm::distance(placed(pose, neck.pivotHd), neck.pivotHd) < 1e-6F);
+            QVERIFY(glm::distance(posed(pose, neck.pivotHd), neck.pivotHd) < 1e-6F);
             QVERIFY(std::abs(glm::dot(pose.rotation, pose.rotation) - 1.0F) < 1e-5F);
         }
     }
@@ -164,7 +164,7 @@ private Q_SLOTS:
         QVERIFY(glm::distance(neck.acrossHd, glm::vec3(1.0F, 0.0F, 0.0F)) < 1e-5F);
     }
 
-    void aHeadThatLooksAsideNodsItsOwnWay()
+    void aHeadThatLooksAsideNodsAboutItsOwnAxis()
     {
         HeadLandmarks landmarks = someLandmarks();
         for (glm::vec3& p : landmarks.positionsHd)

@@ -72,7 +72,7 @@ private Q_SLOTS:
     void rootsFollowTheAreaOfTheFaces();
     void rootsFillTheInsideOfAFaceEvenly();
     void ranksAndSlotsAreInverse();
-    void aChunkIsAPlaceOnTheSkinWhoseRanksRise();
+    void aChunkIsAPatchOfSkinWhoseRanksRise();
     void raisingTheCountOnlyAppends();
     void anotherSeedGivesOtherRoots();
     void anyNumberOfThreadsGivesTheSameBytes_data();
@@ -162,7 +162,7 @@ void TestRoots::ranksAndSlotsAreInverse()
     QCOMPARE(roots->threshold(roots->slotOfRank[0]), 0.5F / 10007.0F);
 }
 
-void TestRoots::aChunkIsAPlaceOnTheSkinWhoseRanksRise()
+void TestRoots::aChunkIsAPatchOfSkinWhoseRanksRise()
 {
     const auto roots = buildRoots(std::make_shared<const Skin>(makeBallHead()), 20000, 300, kSeed);
     double sum = 0.0;

@@ -63,7 +63,7 @@ private Q_SLOTS:
     void stillHairFallsAsleepAndWakes();
     void inputThatDiffersElsewhereLeavesHairAsleep();
     void longHairAtTheEdgeOfACutHangs();
-    void aHiddenGroupIsNotPlaced();
+    void aHiddenGroupHasNoPositions();
     void resetGivesTheRestShape();
     void rootsFollowTheHead();
     void aTurnOfTheHeadSwingsTheHair();
@@ -329,7 +329,7 @@ void TestSimulation::longHairAtTheEdgeOfACutHangs()
     QVERIFY2(cut.x < uncut.x + 0.06F, qPrintable(QStringLiteral("%1 %2").arg(cut.x).arg(uncut.x)));
 }
 
-void TestSimulation::aHiddenGroupIsNotPlaced()
+void TestSimulation::aHiddenGroupHasNoPositions()
 {
     Simulation simulation;
     GroomInput input = paintedBall(kHairs, kBasis);
@@ -431,8 +431,8 @@ void TestSimulation::strandsStayOutsideTheSkinWithoutAnEllipsoid()
                 const glm::vec3 child = blocks.node(positions, strand, static_cast<std::size_t>(node));
                 if (child == glm::vec3(0.0F))
                     continue; // No hair.
-                for (const glm::vec3& place : {0.5F * (parent + child), child})
-                    depth = std::max(depth, 0.1F - glm::length(place));
+                for (const glm::vec3& position : {0.5F * (parent + child), child})
+                    depth = std::max(depth, 0.1F - glm::length(position));
             }
         return depth;
     };

@@ -75,10 +75,10 @@ void TestSimulationWorker::moreHairsComeThoughNothingMoves()
     worker.setInput(paintedBall(3000, 200));
     const auto coarse = awaitFrame(worker, hasHair);
     QVERIFY(coarse);
-    QCOMPARE(placedDetail(*coarse), 0.25F);
+    QCOMPARE(frameDetail(*coarse), 0.25F);
     worker.setDetail(0.2F); // Fewer change nothing that is there.
     worker.setDetail(1.0F);
-    const auto whole = awaitFrame(worker, [](const StrandFrame& frame) { return placedDetail(frame) >= 1.0F; });
+    const auto whole = awaitFrame(worker, [](const StrandFrame& frame) { return frameDetail(frame) >= 1.0F; });
     QVERIFY(whole);
     QCOMPARE(whole->number, coarse->number + 1);
     QCOMPARE(whole->simulatedSeconds, coarse->simulatedSeconds);

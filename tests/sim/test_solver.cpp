@@ -70,7 +70,7 @@ private Q_SLOTS:
     void frictionHoldsHairOnASlope_data();
     void frictionHoldsHairOnASlope();
     void gelKeepsTheRestShapeAgainstGravityAndWind();
-    void windBendsHairTheWayItBlows();
+    void windBendsHairInItsDirection();
     void nothingExplodes_data();
     void nothingExplodes();
     void tenMinutesOfStormAndShakingStretchNothing();
@@ -254,7 +254,7 @@ void TestSolver::gelKeepsTheRestShapeAgainstGravityAndWind()
     }
 }
 
-void TestSolver::windBendsHairTheWayItBlows()
+void TestSolver::windBendsHairInItsDirection()
 {
     PhysicsSettings physics = barePhysics();
     physics.damping = 2.0F;
@@ -350,7 +350,7 @@ void TestSolver::tenMinutesOfStormAndShakingStretchNothing()
 
 void TestSolver::gustsReachEachLockInItsOwnTime()
 {
-    // Pairs of hairs: two beside each other, one some way off.
+    // Pairs of hairs: two beside each other, one some distance off.
     constexpr float kBesideM = 0.002F;
     constexpr float kApartM = 0.06F;
     constexpr std::size_t kPairs = 12;

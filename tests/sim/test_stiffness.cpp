@@ -32,11 +32,11 @@ void TestStiffness::shortHairStandsAndLongHairHangs()
     hair.setGroom(groomOf({{root, out, 0.01F}, {root, out, 0.4F}}, 8, PhysicsSettings{}), ballCollider(),
                   WindField::calm({}));
     fall(hair, 240);
-    const glm::vec3 shortWay = nodeOf(hair, 0, 7) - root;
-    const glm::vec3 longWay = nodeOf(hair, 1, 7) - root;
-    QVERIFY(shortWay.x > 0.9F * 0.01F);
-    QVERIFY(longWay.y < -0.9F * 0.4F);
-    QVERIFY2(longWay.x < 0.1F * 0.4F, qPrintable(QString::number(longWay.x)));
+    const glm::vec3 shortOffset = nodeOf(hair, 0, 7) - root;
+    const glm::vec3 longOffset = nodeOf(hair, 1, 7) - root;
+    QVERIFY(shortOffset.x > 0.9F * 0.01F);
+    QVERIFY(longOffset.y < -0.9F * 0.4F);
+    QVERIFY2(longOffset.x < 0.1F * 0.4F, qPrintable(QString::number(longOffset.x)));
 }
 
 void TestStiffness::aCantileverBendsAsElasticaDo_data()
@@ -59,15 +59,15 @@ glm::dvec2 elasticaTip(double length, double stiffness)
     const double cube = stiffness * stiffness * stiffness;
     const auto shoot = [&](double moment) {
         double angle = 0.0;
-        glm::dvec2 place(0.0);
+        glm::dvec2 position(0.0);
         for (int i = 0; i < kParts; ++i) {
             const double s = (i + 0.5) * step;
             const double middle = angle + 0.5 * step * moment;
-            place += step * glm::dvec2(std::cos(middle), -std::sin(middle));
+            position += step * glm::dvec2(std::cos(middle), -std::sin(middle));
             moment -= step * (length - s) * std::cos(middle) / cube;
             angle = middle + 0.5 * step * moment;
         }
-        return std::pair(moment, place);
+        return std::pair(moment, position);
     };
     double low = 0.0;
     double high = 0.5 * length * length / cube;
@@ -113,7 +113,7 @@ void TestStiffness::eachTenthOfGelIsStiffer()
         const float shift = glm::distance(nodeOf(hair, 0, 7), glm::vec3(0.15F, 0.0F, 0.0F));
         QVERIFY2(shift <= 0.85F * before,
                  qPrintable(QStringLiteral("%1: %2 after %3").arg(gel).arg(shift).arg(before)));
-        qInfo("gel %.1f: the tip gives way by %.2f mm", static_cast<double>(gel), static_cast<double>(shift) * 1e3);
+        qInfo("gel %.1f: the tip yields by %.2f mm", static_cast<double>(gel), static_cast<double>(shift) * 1e3);
         before = shift;
     }
 }
@@ -133,10 +133,10 @@ void TestStiffness::hairThatIsLaidInSharpTurnsComesToRest()
         const std::size_t back = there + 1 + i % 4;
         const glm::vec3 along(0.6F * std::sin(turn), 0.8F, 0.6F * std::cos(turn));
         const glm::vec3 aside(std::cos(turn), 0.0F, -std::sin(turn));
-        glm::vec3 place(0.0F);
+        glm::vec3 position(0.0F);
         for (std::size_t node = 1; node < kNodes; ++node) {
-            place += kSegmentM * (node > there && node <= back ? aside : along);
-            groom->blocks().setNode(basis->restPositions, i, node, place);
+            position += kSegmentM * (node > there && node <= back ? aside : along);
+            groom->blocks().setNode(basis->restPositions, i, node, position);
         }
     }
     groom->basis = basis;

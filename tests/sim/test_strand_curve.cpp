@@ -442,7 +442,7 @@ void TestStrandCurve::strangeSkeletonsGiveNumbers_data()
     QTest::addColumn<int>("nodes");
     QTest::addColumn<float>("lengthM");
     QTest::addColumn<bool>("alongTangent");
-    QTest::newRow("all nodes in one place") << 8 << 0.0F << false;
+    QTest::newRow("all nodes at one point") << 8 << 0.0F << false;
     QTest::newRow("two nodes") << 2 << 0.1F << false;
     QTest::newRow("along the frame's tangent") << 8 << 0.1F << true;
     QTest::newRow("one node") << 1 << 0.0F << false;

@@ -47,11 +47,11 @@ private Q_SLOTS:
     void texelCentresGiveTheTexel_data();
     void texelCentresGiveTheTexel();
     void samplesBetweenCentresAreBilinear();
-    void placesOutsideAreClamped_data();
-    void placesOutsideAreClamped();
+    void texelsOutsideAreClamped_data();
+    void texelsOutsideAreClamped();
     void equalTexelsGiveExactlyTheirValueHoweverStored();
     void theScalarIsTheFirstChannel();
-    void nearestPicksTheTexelThatHoldsThePlace();
+    void nearestPicksTheTexelThatHoldsThePoint();
     void theFootprintHoldsEveryTexelRead();
     void oneValueEverywhereIsFound();
     void aTileIsTheSameExpandedAndFolded_data();
@@ -165,7 +165,7 @@ void TestTiledRaster::samplesBetweenCentresAreBilinear()
     }
 }
 
-void TestTiledRaster::placesOutsideAreClamped_data()
+void TestTiledRaster::texelsOutsideAreClamped_data()
 {
     QTest::addColumn<float>("u");
     QTest::addColumn<float>("v");
@@ -179,7 +179,7 @@ void TestTiledRaster::placesOutsideAreClamped_data()
     QTest::newRow("not a number") << std::nanf("") << std::nanf("") << 0 << 255;
 }
 
-void TestTiledRaster::placesOutsideAreClamped()
+void TestTiledRaster::texelsOutsideAreClamped()
 {
     QFETCH(float, u);
     QFETCH(float, v);
@@ -217,7 +217,7 @@ void TestTiledRaster::theScalarIsTheFirstChannel()
     }
 }
 
-void TestTiledRaster::nearestPicksTheTexelThatHoldsThePlace()
+void TestTiledRaster::nearestPicksTheTexelThatHoldsThePoint()
 {
     const TiledRaster raster = randomRaster(256, 2);
     for (std::uint64_t i = 0; i < 500; ++i) {

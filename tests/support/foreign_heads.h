@@ -14,7 +14,7 @@ namespace hairpaint::test {
 struct ForeignHead
 {
     sim::HeadMesh mesh;
-    std::function<glm::vec3(const glm::vec3&)> place; ///< Of the built-in head's to this one's.
+    std::function<glm::vec3(const glm::vec3&)> moved; ///< Of the built-in head's to this one's.
 };
 
 /// Its two halves as islands apart, smaller, one of them on its side: nothing lies where it did.
@@ -40,11 +40,11 @@ inline void layOutInHalves(sim::HeadMesh& mesh)
     mesh = std::move(halves);
 }
 
-inline ForeignHead bent(const sim::HeadMesh& known, std::function<glm::vec3(const glm::vec3&)> place)
+inline ForeignHead bent(const sim::HeadMesh& known, std::function<glm::vec3(const glm::vec3&)> moved)
 {
-    ForeignHead head{.mesh = known, .place = std::move(place)};
+    ForeignHead head{.mesh = known, .moved = std::move(moved)};
     for (glm::vec3& p : head.mesh.positionsHd)
-        p = head.place(p);
+        p = head.moved(p);
     for (glm::vec3& n : head.mesh.normalsHd)
         n = glm::vec3(0.0F);
     for (const glm::uvec3& t : head.mesh.triangles) {
@@ -81,7 +81,7 @@ inline ForeignHead scanOf(const sim::HeadMesh& known)
         return glm::vec3(cosine * own.x + sine * own.z, own.y, -sine * own.x + cosine * own.z) + rough +
                glm::vec3(0.03F, 1.52F, -0.02F);
     });
-    const float neck = head.place({0.0F, -0.15F, 0.0F}).y;
+    const float neck = head.moved({0.0F, -0.15F, 0.0F}).y;
     unsigned number = 0;
     std::erase_if(head.mesh.triangles,
                   [&](const glm::uvec3& t) { return head.mesh.positionsHd[t.x].y < neck || number++ % 97 == 0; });

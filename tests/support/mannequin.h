@@ -73,7 +73,7 @@ inline model::RiggedMesh makeMannequin(float droop = 0.0F, int headSegments = 24
     for (glm::vec2& uv : body.uvs)
         uv.y = 0.05F + 0.95F * uv.y;
     body.skeleton.weights.assign(body.positionsHd.size(), {.joints = {kMannequinHead, 0, 0, 0}});
-    std::vector<model::JointPlace> places;
+    std::vector<model::JointPose> poses;
     for (const MannequinJoint& joint : kMannequin) {
         glm::vec3 position = joint.position;
         const float outward = std::abs(position.x) - 0.18F;
@@ -81,13 +81,13 @@ inline model::RiggedMesh makeMannequin(float droop = 0.0F, int headSegments = 24
             position.x = std::copysign(0.18F + outward * std::cos(droop), position.x);
             position.y -= outward * std::sin(droop);
         }
-        places.push_back({.position = position});
+        poses.push_back({.position = position});
         body.skeleton.joints.push_back({.name = joint.name, .parent = joint.parent});
     }
-    setPlaces(body.skeleton, places);
+    setPoses(body.skeleton, poses);
     for (std::size_t i = 0; i < kMannequin.size(); ++i)
         if (const int parent = kMannequin[i].parent; parent >= 0 && parent != kMannequinHead)
-            addLimb(body, parent, places[static_cast<std::size_t>(parent)].position, places[i].position);
+            addLimb(body, parent, poses[static_cast<std::size_t>(parent)].position, poses[i].position);
     return body;
 }
 

@@ -41,7 +41,7 @@ public:
     void drawPath(const QPainterPath& /*path*/) override {}
     void drawPolygon(const QPointF* /*points*/, int /*count*/, PolygonDrawMode /*mode*/) override {}
     void drawPolygon(const QPoint* /*points*/, int /*count*/, PolygonDrawMode /*mode*/) override {}
-    void drawTextItem(const QPointF& /*place*/, const QTextItem& item) override { texts.append(item.text()); }
+    void drawTextItem(const QPointF& /*position*/, const QTextItem& item) override { texts.append(item.text()); }
     [[nodiscard]] Type type() const override { return User; }
 
     QStringList texts;

@@ -270,6 +270,24 @@ private Q_SLOTS:
         QVERIFY(dialog.heightCm() > 50.0);
     }
 
+    void what_a_file_tells_of_its_unit_and_axis_is_taken_and_said()
+    {
+        model::RiggedMesh mesh(test::makeBallHead());
+        mesh.told = {.metresPerUnit = 0.1F, .up = model::ToldAxis::Y};
+        for (glm::vec3& position : mesh.positionsHd)
+            position *= 10.0F;
+        HeadImportDialog dialog(mesh, QStringLiteral("head.fbx"));
+        const auto isSaid = [&dialog] {
+            return std::ranges::any_of(dialog.findChildren<QLabel*>(), [](const QLabel* label) {
+                return label->text().contains(QStringLiteral("that the file tells"));
+            });
+        };
+        QCOMPARE(dialog.unitScale(), 0.1F);
+        QVERIFY(isSaid());
+        dialog.findChildren<QComboBox*>().at(0)->setCurrentIndex(1);
+        QVERIFY(!isSaid()); // The user says otherwise.
+    }
+
     void hair_is_scaled_by_a_percentage_in_one_step()
     {
         PanelFixture f;

@@ -168,6 +168,45 @@ private Q_SLOTS:
         QVERIFY(f.scalp().settings == before);
     }
 
+    void a_curled_hair_type_is_seen_at_once_where_no_curl_is_painted()
+    {
+        PanelFixture f;
+        HairPanel panel(f.state);
+        panel.show();
+        auto* types = panel.findChild<QComboBox*>(QStringLiteral("hairType"));
+        const auto curl = [&] { return f.document.resolved(f.scalp().id, MapKind::Curl)->texel(9, 9)[0]; };
+        const model::MapStack before = f.scalp().map(MapKind::Curl);
+        QCOMPARE(curl(), 0);
+        QTest::keyClick(types, Qt::Key_Home); // 1A has no curl to be seen,
+        QCOMPARE(curl(), 0);
+        types->setCurrentIndex(7);
+        QTest::keyClick(types, Qt::Key_Down);
+        QCOMPARE(types->currentText(), QStringLiteral("3C")); // 3C has.
+        QCOMPARE(curl(), 65535);
+        QCOMPARE(f.steps(), 2);
+        f.document.undo();
+        QVERIFY(f.scalp().map(MapKind::Curl) == before);
+        QCOMPARE(types->currentText(), QStringLiteral("1A"));
+    }
+
+    void a_hair_type_keeps_curl_that_is_painted()
+    {
+        PanelFixture f;
+        const model::Layer& layer = f.scalp().map(MapKind::Curl).layers.front();
+        sim::TiledRaster painted = layer.raster;
+        painted.setTexel(5, 6, {20000, 65535});
+        f.document.push(model::paintCommand(f.document, {f.scalp().id, MapKind::Curl, layer.id}, {{0, painted.tile(0)}},
+                                            QStringLiteral("Brush")));
+        const model::MapStack before = f.scalp().map(MapKind::Curl);
+        HairPanel panel(f.state);
+        panel.show();
+        auto* types = panel.findChild<QComboBox*>(QStringLiteral("hairType"));
+        types->setCurrentIndex(7);
+        QTest::keyClick(types, Qt::Key_Down);
+        QVERIFY(f.scalp().settings.turnsMode == sim::TurnsMode::Coils);
+        QVERIFY(f.scalp().map(MapKind::Curl) == before);
+    }
+
     void a_brush_paints_as_much_curl_where_turns_become_per_cent()
     {
         PanelFixture f;

@@ -47,7 +47,7 @@ private Q_SLOTS:
         }
     }
 
-    void paintingHitsThePlaceThatShowsThere_data()
+    void paintingHitsTheSkinThatShowsThere_data()
     {
         QTest::addColumn<QPoint>("at");
         QTest::addColumn<bool>("turned");
@@ -55,7 +55,7 @@ private Q_SLOTS:
         QTest::newRow("cheek") << QPoint(285, 230) << false;
         QTest::newRow("head turned") << QPoint(210, 170) << true;
     }
-    void paintingHitsThePlaceThatShowsThere()
+    void paintingHitsTheSkinThatShowsThere()
     {
         QFETCH(QPoint, at);
         QFETCH(bool, turned);
@@ -214,7 +214,7 @@ private Q_SLOTS:
         QVERIFY(puffs.count() >= 1);
     }
 
-    void hoveringSharesThePlace()
+    void hoveringMarksThePointInBothAreas()
     {
         HeadFixture f;
         QTest::mouseMove(&f.area, kMiddle);

@@ -97,8 +97,8 @@ private Q_SLOTS:
     {
         HeadFixture f;
         const sim::Skin& skin = *f.editor.document.project().head->skin;
-        const auto brushAt = [&](glm::vec3 placeHd, model::Area area) {
-            const sim::SurfacePoint point = skin.nearest(placeHd);
+        const auto brushAt = [&](glm::vec3 positionHd, model::Area area) {
+            const sim::SurfacePoint point = skin.nearest(positionHd);
             f.editor.state.hover().set(view::HoverPoint{.area = area, .uv = point.uv, .point = point});
             return point;
         };

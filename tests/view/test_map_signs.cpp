@@ -103,7 +103,7 @@ private Q_SLOTS:
         QVERIFY(!legend->isVisible());
     }
 
-    void theLegendGivesWayToThePointer()
+    void theLegendHidesUnderThePointer()
     {
         test::Editor editor(test::makeProject(test::makeBallHead()));
         view::PaintView area(editor.state, view::Theme::of(view::ThemeKind::Dark));

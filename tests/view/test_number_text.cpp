@@ -132,7 +132,7 @@ private Q_SLOTS:
             << QStringLiteral("5°") << cm << QStringLiteral("“°” is no unit for this; use cm, mm, m, in, ft.");
         QTest::newRow("a unit nobody knows")
             << QStringLiteral("5 parsec") << cm << QStringLiteral("“parsec” is no unit for this");
-        QTest::newRow("a length for a share")
+        QTest::newRow("a length for a percentage")
             << QStringLiteral("5 cm") << QStringLiteral("%") << QStringLiteral("use %.");
         QTest::newRow("a unit for a plain number")
             << QStringLiteral("5 cm") << QString() << QStringLiteral("type the number alone");

@@ -86,7 +86,7 @@ class PaintViewTest : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
-    void undoOutlinesThePlaceForAMoment()
+    void undoOutlinesTheAreaForAMoment()
     {
         Fixture f;
         QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, QPoint(150, 400));

@@ -137,8 +137,8 @@ private Q_SLOTS:
         PanelFixture f;
         HairPanel panel(f.state);
         panel.show();
-        auto* mode = panel.findChild<QComboBox*>();
-        QVERIFY(mode != nullptr);
+        const auto boxes = panel.findChildren<QComboBox*>();
+        auto* mode = *std::ranges::find_if(boxes, [](const QComboBox* box) { return box->isVisible(); });
         QTest::keyClick(mode, Qt::Key_Down);
         QVERIFY(f.scalp().settings.turnsMode == sim::TurnsMode::PerLength);
         panel.findChild<QCheckBox*>()->click();
@@ -295,7 +295,7 @@ private Q_SLOTS:
         QVERIFY(layer().visible && !layer().locked);
     }
 
-    void a_layer_is_renamed_in_place()
+    void a_layer_is_renamed_in_its_row()
     {
         PanelFixture f;
         LayersPanel panel(f.state);
@@ -377,9 +377,9 @@ private Q_SLOTS:
         QVERIFY(isSeen(rows.front()) && !isSeen(rows.back()));
         rows[9]->setFocus();
         f.state.target().setMap(MapKind::Direction);
-        for (int down = 0; down < 3; ++down)
+        for (int down = 0; down < 4; ++down)
             QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
-        QVERIFY(f.state.target().map() == MapKind::Gloss);
+        QVERIFY(f.state.target().map() == MapKind::Accessory);
         QTRY_VERIFY(isSeen(rows.back()) && !isSeen(rows.front()));
         QTest::keyClick(&panel, Qt::Key_1);
         QTRY_VERIFY(isSeen(rows.front()));
@@ -438,7 +438,7 @@ private Q_SLOTS:
         ask(model::ToolId::Brush);
         QVERIFY(hint->isVisible() && !demo->isVisible());
         for (const model::ToolId tool : {model::ToolId::Comb, model::ToolId::Part, model::ToolId::Grab,
-                                         model::ToolId::Scissors, model::ToolId::Gradient}) {
+                                         model::ToolId::Fingers, model::ToolId::Scissors, model::ToolId::Gradient}) {
             QToolButton* button = ask(tool);
             QVERIFY(hint->isVisible() && demo->isVisible());
             QCOMPARE(hint->findChild<QLabel*>()->text(), button->toolTip());

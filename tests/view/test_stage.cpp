@@ -32,9 +32,9 @@ sim::StrandFrame hairTo(glm::vec3 tipWo)
 }
 
 /// Where a point shows, -1..1 in the picture.
-glm::vec2 shown(const rendering::Camera& camera, glm::vec3 placeWo)
+glm::vec2 shown(const rendering::Camera& camera, glm::vec3 positionWo)
 {
-    const glm::vec4 clip = camera.projection(1.0F) * camera.view() * glm::vec4(placeWo, 1.0F);
+    const glm::vec4 clip = camera.projection(1.0F) * camera.view() * glm::vec4(positionWo, 1.0F);
     return glm::vec2(clip) / clip.w;
 }
 

@@ -88,7 +88,7 @@ private Q_SLOTS:
         QVERIFY(stillness.moved(after, {}, {600, 500}));
     }
 
-    void whatNoFramePlacesDoesNotMove()
+    void whatNoFramePositionsDoesNotMove()
     {
         const auto groom = fullGroom();
         const auto chunk = std::make_shared<sim::StrandChunk>();

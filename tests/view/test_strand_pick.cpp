@@ -33,11 +33,11 @@ struct HairyPicture : HeadFixture
                                 .skin = editor.document.project().head->skin});
     }
 
-    [[nodiscard]] std::vector<std::uint32_t> placed() const
+    [[nodiscard]] std::vector<std::uint32_t> positioned() const
     {
         std::vector<std::uint32_t> slots;
         for (std::uint32_t slot = 0; slot < hair().groom->roots->count(); ++slot)
-            if (hair().places(slot))
+            if (hair().isPositioned(slot))
                 slots.push_back(slot);
         return slots;
     }
@@ -74,10 +74,10 @@ std::vector<std::uint32_t> slotsOf(const std::vector<model::SeenStrand>& strands
 
 double apart(QPointF point, QPointF from, QPointF to)
 {
-    const QPointF way = to - from;
-    const double square = QPointF::dotProduct(way, way);
-    const double along = square > 0.0 ? std::clamp(QPointF::dotProduct(point - from, way) / square, 0.0, 1.0) : 0.0;
-    return QLineF(from + way * along, point).length();
+    const QPointF line = to - from;
+    const double square = QPointF::dotProduct(line, line);
+    const double along = square > 0.0 ? std::clamp(QPointF::dotProduct(point - from, line) / square, 0.0, 1.0) : 0.0;
+    return QLineF(from + line * along, point).length();
 }
 
 const std::array kLine{QPointF(120.0, 150.0), QPointF(250.0, 190.0), QPointF(380.0, 150.0)};
@@ -100,7 +100,7 @@ private Q_SLOTS:
         QFETCH(int, curl);
         const HairyPicture f(static_cast<std::uint16_t>(curl));
         std::vector<std::uint32_t> expected;
-        for (const std::uint32_t slot : f.placed()) {
+        for (const std::uint32_t slot : f.positioned()) {
             const std::vector<QPointF> curve = f.curve(slot);
             bool crosses = false;
             for (std::size_t i = 1; i < curve.size(); ++i)
@@ -143,7 +143,7 @@ private Q_SLOTS:
         const HairyPicture f;
         const QPolygonF lasso({{300.0, 100.0}, {380.0, 120.0}, {370.0, 220.0}, {320.0, 180.0}});
         std::vector<std::uint32_t> expected;
-        for (const std::uint32_t slot : f.placed()) {
+        for (const std::uint32_t slot : f.positioned()) {
             const std::vector<QPointF> curve = f.curve(slot);
             bool goesIn = false;
             for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -175,7 +175,7 @@ private Q_SLOTS:
         QVERIFY(std::ranges::is_sorted(slots));
         QVERIFY(met.size() > 10);
         std::set<std::uint32_t> below;
-        for (const std::uint32_t slot : f.placed()) {
+        for (const std::uint32_t slot : f.positioned()) {
             const std::vector<QPointF> curve = f.curve(slot);
             double nearest = 1e9;
             for (std::size_t i = 1; i < curve.size(); ++i) {

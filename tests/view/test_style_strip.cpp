@@ -79,7 +79,7 @@ private Q_SLOTS:
         QVERIFY(pause->isActive());
         f.leave(0);
         QVERIFY(!pause->isActive());
-        QCoreApplication::processEvents(); // Nor is anything on its way.
+        QCoreApplication::processEvents(); // Nor is anything being computed.
         QCOMPARE(changed.count(), 0);
     }
 

@@ -3,6 +3,7 @@
 #include "tests/support/test_program.h"
 #include "tests/view/head_fixture.h"
 #include "view/head_area/head_overlay.h"
+#include "view/head_area/worn_outline.h"
 
 #include <QUndoStack>
 
@@ -53,8 +54,8 @@ private Q_SLOTS:
         const QPoint from = f.end(kRight);
         f.drag(from, from + QPoint(40, -25));
         QCOMPARE(f.editor.state.options().chosenWorn(), before.front().id);
-        const QPointF way = f.shown(f.first().centreHd) - centre;
-        QVERIFY(std::abs(way.x() - 40.0) < 1.0 && std::abs(way.y() + 25.0) < 1.0);
+        const QPointF moved = f.shown(f.first().centreHd) - centre;
+        QVERIFY(std::abs(moved.x() - 40.0) < 1.0 && std::abs(moved.y() + 25.0) < 1.0);
         QVERIFY(f.first().semiAxesM == before.front().shape.semiAxesM);
         QVERIFY(f.all()[1] == before[1]);
         QCOMPARE(f.stack().count(), 1);
@@ -134,8 +135,8 @@ private Q_SLOTS:
         WornFixture f;
         f.area.removeWorn(); // None is chosen.
         QCOMPARE(f.stack().count(), 0);
-        const QPoint place = kMiddle + QPoint(30, 10);
-        QTest::mouseMove(&f.area, place);
+        const QPoint position = kMiddle + QPoint(30, 10);
+        QTest::mouseMove(&f.area, position);
         f.area.addWorn(model::WornKind::Ellipsoid);
         QCOMPARE(f.all().size(), std::size_t{3});
         QCOMPARE(f.editor.state.options().chosenWorn(), f.all().back().id);
@@ -207,12 +208,46 @@ private Q_SLOTS:
         QCOMPARE(f.stack().text(1), QStringLiteral("Remove ball"));
     }
 
+    /// A bow stands on the skin: it goes over it, turns with it and by its handle.
+    void whatStandsOnTheSkinIsMovedOverItAndTurned()
+    {
+        WornFixture f;
+        f.editor.state.options().setCollidersShown(false);
+        QTest::mouseMove(&f.area, kMiddle);
+        f.area.addWorn(model::WornKind::Bow);
+        const model::Worn before = f.all().back();
+        f.stack().clear();
+        const auto zOf = [](const model::Worn& worn) { return worn.shape.rotation * glm::vec3(0.0F, 0.0F, 1.0F); };
+        QVERIFY(zOf(before).z > 0.95F);
+        // By a loop: between loops and tails the skin is seen, and painted.
+        const glm::vec3 loop = before.shape.centreHd + before.shape.rotation * glm::vec3(0.02F, 0.004F, 0.012F);
+        const QPoint at = f.shown(loop).toPoint();
+        f.drag(at, at + QPoint(70, 0));
+        const model::Worn moved = f.all().back();
+        QCOMPARE(f.stack().count(), 1);
+        QCOMPARE(f.stack().text(0), QStringLiteral("Move ribbon bow"));
+        QVERIFY(std::abs(glm::length(moved.shape.centreHd) - glm::length(before.shape.centreHd)) < 1e-3F);
+        QVERIFY(moved.shape.centreHd.x > 0.04F && zOf(moved).x > 0.4F);
+        QVERIFY(moved.shape.semiAxesM == before.shape.semiAxesM && moved.anchor != before.anchor);
+        const QPoint handle = f.shown(view::turnEndHd(moved)).toPoint();
+        f.drag(handle, handle - QPoint(0, 40));
+        const model::Worn turned = f.all().back();
+        QCOMPARE(f.stack().count(), 2);
+        QVERIFY(turned.shape.centreHd == moved.shape.centreHd && zOf(turned).y > zOf(moved).y + 0.3F);
+        const QPoint again = f.shown(view::turnEndHd(turned)).toPoint();
+        f.drag(again, again + QPoint(30, 0), Qt::LeftButton, Qt::ShiftModifier);
+        QVERIFY(glm::distance(zOf(f.all().back()), zOf(turned)) < 1e-3F && f.all().back() != turned);
+        for (int i = 0; i < 3; ++i)
+            f.editor.document.undo();
+        QVERIFY(f.all().back() == before);
+    }
+
     void aBallIsPutOnTheSkinAndDrawn()
     {
         WornFixture f;
         f.editor.state.options().setCollidersShown(false);
-        const QPoint place = kMiddle + QPoint(30, 10);
-        QTest::mouseMove(&f.area, place);
+        const QPoint position = kMiddle + QPoint(30, 10);
+        QTest::mouseMove(&f.area, position);
         f.area.addWorn(model::WornKind::Ball);
         const model::Worn ball = f.all().back();
         QCOMPARE(ball.kind, model::WornKind::Ball);

@@ -7,6 +7,7 @@
 #include "view/widgets/swatch.h"
 
 #include <QColorDialog>
+#include <QComboBox>
 #include <QUndoStack>
 
 using namespace hairpaint;
@@ -114,12 +115,43 @@ private Q_SLOTS:
         dialog->setCurrentColor(blue);
         QCOMPARE(f.ball(1).colour, blue.rgb());
         // Which renderers draw it in, and how it shines.
-        const std::vector<rendering::Solid> solids = sceneSolids(f.document.project().worn);
+        const std::vector<rendering::Solid> solids = sceneSolids(f.document.project().worn, nullptr);
         QVERIFY(solids.at(1).colour == linearColour(blue.rgb()) && solids.at(1).sheen == f.ball(1).sheen);
         isKept ? dialog->accept() : dialog->reject();
         QCOMPARE(f.steps(), isKept ? 1 : 0);
         QCOMPARE(f.ball(1).colour == blue.rgb(), isKept);
         if (isKept)
+            f.document.undo();
+        QVERIFY(f.document.committed().worn == before);
+    }
+
+    void aTieIsMadeOfWhatIsChosen()
+    {
+        WornPanelFixture f;
+        f.document.push(addWornCommand(f.document, makeWorn(model::wornSpec(model::WornKind::Bun), {})));
+        f.document.undoStack().clear();
+        auto* box = f.panel.findChild<QComboBox*>(QStringLiteral("wornMake"));
+        f.choose(0);
+        QVERIFY(!box->isVisible() && !f.slider("Tightness").isVisible());
+        f.choose(2);
+        QVERIFY(box->isVisible() && f.slider("Tightness").isVisible() && f.slider("Bun radius").isVisible());
+        QCOMPARE(box->count(), 4);
+        const std::vector<model::Worn> before = f.document.committed().worn;
+        QTest::keyClick(box, Qt::Key_End);
+        QCOMPARE(f.steps(), 1);
+        const model::Worn& bun = f.document.project().worn.back();
+        QCOMPARE(static_cast<int>(bun.make), 3);
+        QCOMPARE(bun.sheen, 1.0F); // Of metal.
+        QVERIFY(sceneSolids(f.document.project().worn, nullptr).back().mesh !=
+                sceneSolids(before, nullptr).back().mesh);
+        for (const char* label : {"Tightness", "Bun radius", "Tie radius"}) {
+            const model::Worn was = f.document.project().worn.back();
+            holdAt(f.slider(label), 0.25);
+            letGo(f.slider(label));
+            QVERIFY(!(f.document.committed().worn.back() == was));
+        }
+        QCOMPARE(f.steps(), 4);
+        for (int i = 0; i < 4; ++i)
             f.document.undo();
         QVERIFY(f.document.committed().worn == before);
     }

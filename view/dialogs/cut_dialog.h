@@ -30,7 +30,7 @@ class CutDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// `frame`: the hair of the document as it is, every hair placed.
+    /// `frame`: the hair of the document as it is, every hair positioned.
     CutDialog(EditorState& state, HairCut kind, std::shared_ptr<const sim::StrandFrame> frame,
               QWidget* parent = nullptr);
     void accept() override;
@@ -58,7 +58,7 @@ private:
     model::GroupCut m_cut;
     QVBoxLayout* m_rows = nullptr;
     std::vector<BarSlider*> m_sliders;
-    std::function<void()> m_preview; ///< Shows what the sliders say.
+    std::function<void()> m_preview; ///< Previews the cut that the sliders set.
 };
 
 } // namespace hairpaint::view

@@ -1,4 +1,4 @@
-// Asks what of the hair is exported, as what, and for which program.
+// Asks which hair is exported, in which format, and for which program.
 #pragma once
 
 #include "model/exporting/export_format.h"
@@ -42,7 +42,7 @@ struct ExportableGroup
 
 struct HairExportChoice
 {
-    /// Without what the project gives.
+    /// Without the part that comes from the project.
     model::ExportRequest request{.format = &model::exportFormats().front(), .target = &model::exportTargets().front()};
     HairSource source = HairSource::Now;
 };
@@ -59,7 +59,7 @@ public:
     [[nodiscard]] HairExportChoice choice() const;
     /// Why there can be no avatar of this head, a sentence; empty where there can.
     void setAvatarProblem(const QString& problem);
-    /// What there is to export now. Groups that were left out stay so.
+    /// The groups that can be exported now. Groups that were unchecked stay so.
     void setGroups(std::vector<ExportableGroup> groups);
 
 Q_SIGNALS:

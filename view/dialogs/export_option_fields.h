@@ -1,4 +1,4 @@
-// The fields of what can be chosen of an export: one for each row of the table of formats.
+// The fields of the export options: one for each row of the table of formats.
 #pragma once
 
 #include "model/exporting/export_format.h"
@@ -15,12 +15,12 @@ namespace hairpaint::view {
 class ExportOptionFields
 {
 public:
-    /// Adds all of them to the form.
+    /// Adds all fields to the form.
     ExportOptionFields(QFormLayout& form, QWidget& dialog);
-    /// Shows those of the format, and hides the others, which keep what they hold.
+    /// Shows the fields of the format and hides the others, which keep their values.
     void showFor(const model::ExportFormat& format);
     void fill(const model::ExportRequest& request);
-    /// What they hold, also those that are hidden. Defaults of what the format would take and does not ask for.
+    /// The values of all fields, also of hidden ones; defaults for options that the dialog does not ask for.
     void put(model::ExportRequest& request) const;
 
 private:

@@ -1,7 +1,7 @@
-// Asks what unit and which axis imported hair has, where what the file says, or what fits the head, is not to count.
+// Asks for the unit and up axis of imported hair, to override those of the file or those that fit the head.
 #pragma once
 
-#include "model/importing/curve_placing.h"
+#include "model/importing/curve_fit.h"
 
 #include <QDialog>
 
@@ -15,7 +15,7 @@ class HairImportDialog : public QDialog
     Q_OBJECT
 public:
     explicit HairImportDialog(const QString& fileName, QWidget* parent = nullptr);
-    /// Empty in what is left to the program.
+    /// Empty fields are left to the program.
     [[nodiscard]] model::CurveSpaceChoice choice() const;
 
 private:

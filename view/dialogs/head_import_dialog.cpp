@@ -179,6 +179,14 @@ double HeadImportDialog::heightCm() const
     return sourceHeight() * static_cast<double>(unitScale()) * kCm;
 }
 
+bool HeadImportDialog::isAsTold() const
+{
+    if (m_source.told.up == model::ToldAxis::None || !(m_source.told.metresPerUnit > 0.0F))
+        return false;
+    const model::HeadGuess told = model::guessHead(m_source);
+    return told.upAxis == upAxis() && std::abs(told.unitScale - unitScale()) < 1e-3F * told.unitScale;
+}
+
 void HeadImportDialog::follow()
 {
     const bool usable = m_refusal.isEmpty();
@@ -187,6 +195,7 @@ void HeadImportDialog::follow()
     m_height->setEnabled(usable);
     m_carry->setEnabled(usable);
     m_silhouette->setUpAxis(upAxis());
+    m_silhouette->setMetresPerUnit(usable ? static_cast<double>(unitScale()) : 0.0);
     if (m_unit->currentData().toDouble() > 0.0)
         m_ownScale = m_unit->currentData().toDouble();
     const double height = heightCm();
@@ -199,6 +208,9 @@ void HeadImportDialog::follow()
         m_remark->setText(tr("%Ln triangles. %1 cm is no usual height for a head, a bust or a body: check the unit "
                              "and the axis.",
                              nullptr, faces)
+                              .arg(QLocale().toString(height, 'f', 1)));
+    else if (isAsTold())
+        m_remark->setText(tr("%Ln triangles, %1 cm tall; unit and axis are those that the file tells.", nullptr, faces)
                               .arg(QLocale().toString(height, 'f', 1)));
     else
         m_remark->setText(tr("%Ln triangles, %1 cm tall.", nullptr, faces).arg(QLocale().toString(height, 'f', 1)));

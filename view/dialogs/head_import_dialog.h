@@ -41,6 +41,8 @@ private:
     [[nodiscard]] QHBoxLayout* buildRemark();
     void guess();
     [[nodiscard]] double sourceHeight() const; ///< Along the chosen axis, in the source's units.
+    /// Whether unit and axis are what the file itself tells.
+    [[nodiscard]] bool isAsTold() const;
     void follow();
 
     model::RiggedMesh m_source;

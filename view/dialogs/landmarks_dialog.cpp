@@ -37,7 +37,7 @@ const sim::HeadLandmarks& knownLandmarks()
 }
 
 /// Each at the nearest point of another head.
-sim::HeadLandmarks placesNear(const sim::HeadLandmarks& known, const sim::Skin& skin)
+sim::HeadLandmarks landmarksNear(const sim::HeadLandmarks& known, const sim::Skin& skin)
 {
     sim::HeadLandmarks landmarks = known;
     for (glm::vec3& position : landmarks.positionsHd)
@@ -49,7 +49,8 @@ sim::HeadLandmarks placesNear(const sim::HeadLandmarks& known, const sim::Skin& 
 
 LandmarksDialog::LandmarksDialog(const std::shared_ptr<const model::Head>& head, QWidget* parent)
     : QDialog(parent), m_known(new HeadSide(model::builtInHead(), knownLandmarks(), this)),
-      m_moved(new HeadSide(head, head->landmarks ? *head->landmarks : placesNear(knownLandmarks(), *head->skin), this))
+      m_moved(
+          new HeadSide(head, head->landmarks ? *head->landmarks : landmarksNear(knownLandmarks(), *head->skin), this))
 {
     setWindowTitle(tr("Landmarks"));
     m_moved->setMovable(true);

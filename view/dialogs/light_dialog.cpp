@@ -160,9 +160,9 @@ Swatch* LightDialog::addSwatch(const QString& name, QLabel* beside)
 
 void LightDialog::buildColour()
 {
-    m_shares = new QLabel(this);
-    m_shares->setProperty("role", QStringLiteral("dim"));
-    m_colour = addSwatch(tr("Light colour"), m_shares);
+    m_channels = new QLabel(this);
+    m_channels->setProperty("role", QStringLiteral("dim"));
+    m_colour = addSwatch(tr("Light colour"), m_channels);
     m_colour->setToolTip(
         tr("What colours the light of that temperature, as a gel before the lamp does. Click to choose it, right-click "
            "for white; R, G and B of the weather keys (F7) raise its parts, with Shift they lower "
@@ -183,8 +183,8 @@ void LightDialog::follow()
 {
     const model::LightSettings& light = shown();
     m_colour->setColour(shownColour(light));
-    const auto percent = [](float share) { return static_cast<int>(std::lround(100.0F * share)); };
-    m_shares->setText(
+    const auto percent = [](float fraction) { return static_cast<int>(std::lround(100.0F * fraction)); };
+    m_channels->setText(
         tr("R %1  G %2  B %3 %").arg(percent(light.red)).arg(percent(light.green)).arg(percent(light.blue)));
     m_background->setColour(QColor::fromRgb(document().project().background));
     // Each control ignores what it is told while the user moves it.

@@ -45,7 +45,7 @@ private:
     QComboBox* m_surroundings = nullptr;
     QComboBox* m_scattering = nullptr;
     Swatch* m_colour = nullptr;
-    QLabel* m_shares = nullptr; ///< Of red, green and blue in it.
+    QLabel* m_channels = nullptr; ///< Percentages of red, green and blue in it.
     Swatch* m_background = nullptr;
 };
 

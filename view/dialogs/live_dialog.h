@@ -33,7 +33,7 @@ protected:
     BarSlider* addSlider(const QString& label, double least, double greatest, int decimals, const QString& unit);
     /// On the ball and the sliders of its angles.
     void showDirection(glm::vec3 direction, BarSlider* azimuth, BarSlider* elevation) const;
-    /// Shows the document's values; called when they may have changed.
+    /// Updates the controls from the document; called when its values may have changed.
     virtual void follow() = 0;
 
 private:
@@ -48,7 +48,7 @@ template<typename Value, Value model::Project::*member>
 class LiveValueDialog : public LiveDialog
 {
 protected:
-    /// Sets what its control shows and nothing else: the numbers of the others are rounded.
+    /// Sets only the value of the control that changed: the numbers of the others are rounded.
     using Edit = std::function<void(Value&)>;
 
     LiveValueDialog(EditorState& state, const QString& title, QString step, DirectionBall* ball, QWidget* parent)

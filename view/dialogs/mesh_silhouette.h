@@ -1,4 +1,4 @@
-// A mesh seen from the front, so that a wrong axis is seen at once.
+// A mesh seen from the front beside a person, so that a wrong axis or unit is seen at once.
 #pragma once
 
 #include "model/project/project.h"
@@ -6,6 +6,8 @@
 
 #include <QImage>
 #include <QWidget>
+
+class QPainter;
 
 namespace hairpaint::view {
 
@@ -16,15 +18,23 @@ public:
     /// `mesh` must outlive the widget.
     explicit MeshSilhouette(const sim::HeadMesh& mesh, QWidget* parent = nullptr);
     void setUpAxis(model::UpAxis axis);
-    [[nodiscard]] QSize sizeHint() const override { return {148, 180}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {120, 140}; }
+    /// The person is drawn at the mesh's scale, as high as the mesh at the top; none where it is 0.
+    void setMetresPerUnit(double metres);
+    [[nodiscard]] QSize sizeHint() const override { return {212, 180}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {180, 140}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    /// `top`, px: of the head, in the middle.
+    void paintPerson(QPainter& painter, QPointF top, double pixelsPerMetre) const;
+
     const sim::HeadMesh& m_mesh;
     QImage m_picture;
+    double m_pixelsPerUnit = 1.0; ///< Of the picture, in points of the widget.
+    double m_meshTop = 0.0;       ///< The mesh's upper end in it.
+    double m_metresPerUnit = 0.0;
     model::UpAxis m_axis = model::UpAxis::Y;
 };
 

@@ -154,7 +154,7 @@ void PictureDialog::addSizeRows(QFormLayout& form)
         auto* box = new NumberSpinBox(tr("px"), this);
         box->setRange(PictureChoice::kLeastPx, PictureChoice::kMostPx);
         box->setAccelerated(true);
-        box->setKeyboardTracking(false); // 1 and 19 are no widths on the way to 1920.
+        box->setKeyboardTracking(false); // 1 and 19 are no widths while 1920 is typed.
         form.addRow(label, box);
         connect(box, &QSpinBox::valueChanged, this, [this, box, isWidth] { changeSide(*box, isWidth); });
         return box;

@@ -1,4 +1,4 @@
-// Asks how a picture of the 3D area is saved, and shows a small one of it.
+// Asks how a picture of the 3D area is saved, with a preview.
 #pragma once
 
 #include <QColor>
@@ -58,14 +58,14 @@ class PictureDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// `viewPx`: what the 3D area has.
+    /// `viewPx`: size of the 3D area.
     PictureDialog(const PictureChoice& before, QSize viewPx, QWidget* parent = nullptr);
     ~PictureDialog() override;
     [[nodiscard]] PictureChoice choice() const;
     [[nodiscard]] QSize picturePx() const;
     [[nodiscard]] QSize previewPx() const; ///< The picture's shape in the room that the dialog has.
     void setViewPx(QSize px);
-    /// What the small picture shows is no longer as it is.
+    /// The preview is out of date.
     void refresh();
     void showPreview(const QImage& picture); ///< Null: it could not be drawn.
 
@@ -83,7 +83,7 @@ private:
     void addBackgroundRow(QFormLayout& form);
     [[nodiscard]] QComboBox* addChoice(QFormLayout& form, const QString& label, const QStringList& texts);
     void fill(const PictureChoice& choice);
-    void chooseSize(); ///< Takes over what the list of sizes says.
+    void chooseSize(); ///< Takes the size chosen in the list.
     void changeSide(QSpinBox& side, bool isWidth);
     void chooseColour();
     void showSize(QSize px);

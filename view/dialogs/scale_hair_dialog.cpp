@@ -45,17 +45,17 @@ ScaleHairDialog::ScaleHairDialog(EditorState& state, QWidget* parent) : QDialog(
     layout->addWidget(remark);
     for (const model::HairScale& scale : model::hairScales()) {
         const model::HairScale::Limits limits = scale.limits(m_before);
-        auto* share = new BarSlider(scale.titleText(), this);
-        share->setRange(std::ceil(limits.least * kWholePercent), std::floor(limits.greatest * kWholePercent));
-        share->setExponent(3.0); // 100 % lies near the middle of 10 to 1,000.
-        share->setUnit(QStringLiteral("%"));
-        share->setDefaultValue(kWholePercent);
-        share->setValue(kWholePercent);
-        share->setEnabled(limits.least < limits.greatest);
-        connect(share, &BarSlider::valueChanged, this, &ScaleHairDialog::preview);
-        connect(share, &BarSlider::editingCancelled, this, &ScaleHairDialog::preview);
-        layout->addWidget(share);
-        m_shares.push_back(share);
+        auto* factor = new BarSlider(scale.titleText(), this);
+        factor->setRange(std::ceil(limits.least * kWholePercent), std::floor(limits.greatest * kWholePercent));
+        factor->setExponent(3.0); // 100 % lies near the middle of 10 to 1,000.
+        factor->setUnit(QStringLiteral("%"));
+        factor->setDefaultValue(kWholePercent);
+        factor->setValue(kWholePercent);
+        factor->setEnabled(limits.least < limits.greatest);
+        connect(factor, &BarSlider::valueChanged, this, &ScaleHairDialog::preview);
+        connect(factor, &BarSlider::editingCancelled, this, &ScaleHairDialog::preview);
+        layout->addWidget(factor);
+        m_factors.push_back(factor);
     }
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("Scale"));
@@ -70,9 +70,9 @@ ScaleHairDialog::ScaleHairDialog(EditorState& state, QWidget* parent) : QDialog(
 void ScaleHairDialog::preview()
 {
     sim::GroupSettings settings = m_before;
-    for (std::size_t i = 0; i < m_shares.size(); ++i)
-        if (m_shares[i]->value() != kWholePercent)
-            model::hairScales()[i].apply(settings, m_shares[i]->value() / kWholePercent);
+    for (std::size_t i = 0; i < m_factors.size(); ++i)
+        if (m_factors[i]->value() != kWholePercent)
+            model::hairScales()[i].apply(settings, m_factors[i]->value() / kWholePercent);
     m_state.document().show(m_edit, {.text = m_step}, {.aspect = model::Change::Aspect::Settings, .group = m_group},
                             [id = m_group, settings](model::Project& project) {
                                 if (model::HairGroup* one = project.group(id))
@@ -82,8 +82,8 @@ void ScaleHairDialog::preview()
 
 void ScaleHairDialog::accept()
 {
-    for (BarSlider* share : m_shares)
-        share->release();
+    for (BarSlider* factor : m_factors)
+        factor->release();
     m_edit.commit();
     QDialog::accept();
 }

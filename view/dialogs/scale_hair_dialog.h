@@ -26,7 +26,7 @@ private:
     sim::GroupSettings m_before;
     QString m_step; ///< Text of the undo step.
     model::EditSession m_edit;
-    std::vector<BarSlider*> m_shares; ///< One a row of model::hairScales(), in per cent.
+    std::vector<BarSlider*> m_factors; ///< One a row of model::hairScales(), in per cent.
 };
 
 } // namespace hairpaint::view

@@ -9,8 +9,8 @@
 
 namespace hairpaint::view {
 
-/// Outside undo; follows the document where what is active goes, or where undo and imports change texels elsewhere.
-/// Each setter returns false and tells nothing where nothing differs. GUI thread.
+/// Not undone; follows the document if the active group or layer is deleted, or undo and imports change texels
+/// elsewhere. Each setter returns false and emits nothing if nothing differs. GUI thread.
 class EditTarget : public QObject
 {
     Q_OBJECT
@@ -39,14 +39,14 @@ public:
     /// The same of a map that is not the active one, with its name before it.
     [[nodiscard]] QString refusalOfOther(model::MapKind map) const;
 
-    /// While held it stays, whatever texels change: what a tool paints is looked at already. Returns what it was
-    /// before.
+    /// While held it does not follow changed texels, since a tool paints where the user looks. Returns the previous
+    /// state.
     bool hold(bool held);
 
 Q_SIGNALS:
     void aboutToChange(); ///< By a setter: what is open on the old target ends.
     void mapChosen();     ///< By setMap, also where that map was active before.
-    /// The active group may have other ranges; `told`: by somebody's change to the group, which the user should know.
+    /// The ranges of the active group may have changed; `told`: by a change to the group of which the user is told.
     void rangesChanged(bool told);
     void changed();
 

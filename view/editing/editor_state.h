@@ -1,4 +1,4 @@
-// What the user is working on and with: shared by every view, changed by every view, outside undo.
+// The state of the editor that every view reads and changes; not undone.
 #pragma once
 
 #include "view/editing/edit_target.h"
@@ -10,7 +10,7 @@
 
 namespace hairpaint::view {
 
-/// Four parts, each with its own signals, and what they tell the user. GUI thread.
+/// Four parts, each with its own signals, and the messages for the user. GUI thread.
 class EditorState : public QObject
 {
     Q_OBJECT
@@ -31,7 +31,7 @@ public:
 
 Q_SIGNALS:
     void refused(const QString& reason);
-    void told(const QString& text); ///< What the user should know and did not ask for.
+    void told(const QString& text); ///< A message that the user did not ask for.
 
 private:
     EditTarget m_target;

@@ -1,4 +1,4 @@
-// What is under the pointer, as both areas show it.
+// The point under the pointer, as both areas show it.
 #pragma once
 
 #include "model/tools/tool.h"
@@ -33,7 +33,7 @@ public:
 
     /// None while the pointer is over neither area.
     [[nodiscard]] const std::optional<HoverPoint>& at() const { return m_at; }
-    /// Tools with something pending hear of it too.
+    /// Also passed to a tool with pending input.
     void set(const std::optional<HoverPoint>& at);
     /// Where both areas draw the brush's rings: under the pointer, and the mirrored twin if there is one. Empty off the
     /// skin, over strands that the tool works on, and where the active tool has no ring.

@@ -1,4 +1,4 @@
-// What both areas do alike with mouse and pen.
+// The handling of mouse and pen that both areas have in common.
 #pragma once
 
 #include "view/editing/pointer.h"
@@ -16,7 +16,7 @@ namespace hairpaint::view {
 
 class EditorState;
 
-/// Makes one stream of samples of mouse and pen. The pen's other end chooses the eraser for its stroke.
+/// Merges mouse and pen into one stream of samples. The pen's other end chooses the eraser for its stroke.
 class PaintedArea : public QWidget
 {
     Q_OBJECT

@@ -1,4 +1,4 @@
-// What mouse and pen have in common.
+// A pointer event of a mouse or a pen.
 #pragma once
 
 #include <QInputEvent>

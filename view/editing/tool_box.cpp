@@ -134,7 +134,7 @@ template<typename Call>
 void ToolBox::withTool(const Call& call)
 {
     model::Tool& tool = active();
-    const bool hadOverlay = !tool.overlay().empty();
+    const bool hadOverlay = !tool.overlay().empty() || !tool.guides().empty();
     const model::ToolSettings before = m_settings;
     model::ToolContext toolContext = context();
     const bool held = m_target.hold(true);
@@ -145,7 +145,7 @@ void ToolBox::withTool(const Call& call)
             m_amounts.takeChanges(*group, before, m_settings);
         Q_EMIT settingsChanged();
     }
-    if (hadOverlay || !tool.overlay().empty())
+    if (hadOverlay || !tool.overlay().empty() || !tool.guides().empty())
         Q_EMIT overlayChanged();
 }
 
@@ -259,6 +259,19 @@ void ToolBox::release(const model::HairEvent& event)
     model::HairHandler* hand = active().hairHandler();
     if (hand != nullptr && stroking())
         withTool([&](model::Tool&, model::ToolContext& toolContext) { hand->releaseHair(event, toolContext); });
+}
+
+void ToolBox::hover(const std::optional<model::GrabbedHair>& hair)
+{
+    model::HairHandler* hand = active().hairHandler();
+    if (hand == nullptr || stroking())
+        return;
+    const bool showed = !active().guides().empty();
+    m_strokeTarget = m_target.address();
+    model::ToolContext toolContext = context();
+    hand->hoverHair(hair, toolContext);
+    if (showed || !active().guides().empty())
+        Q_EMIT overlayChanged();
 }
 
 void ToolBox::press(const model::PictureEvent& event)

@@ -1,4 +1,4 @@
-// Which tool works, with which settings, and the stroke that it makes.
+// The active tool, its settings and its stroke.
 #pragma once
 
 #include "model/tools/cut_pieces.h"
@@ -17,7 +17,7 @@ namespace hairpaint::view {
 class EditTarget;
 class ViewOptions;
 
-/// Outside undo. Each setter returns false and tells nothing where nothing differs. Pointer events of either area go
+/// Not undone. Each setter returns false and emits nothing if nothing differs. Pointer events of either area go
 /// through press, move and release to the active tool. GUI thread; what it is made of must outlive it.
 class ToolBox : public QObject
 {
@@ -62,6 +62,8 @@ public:
     void press(const model::HairEvent& event);
     void move(const model::HairEvent& event);
     void release(const model::HairEvent& event);
+    /// The pointer moves over hair, or beside it, with no button down.
+    void hover(const std::optional<model::GrabbedHair>& hair);
     /// The same over the 3D area's picture, where the active tool draws over it.
     void press(const model::PictureEvent& event);
     void move(const model::PictureEvent& event);
@@ -84,14 +86,14 @@ Q_SIGNALS:
     void hairCutOff(const std::vector<hairpaint::model::CutPiece>& pieces);
     void overlayChanged(); ///< The active tool's overlay or the selection.
     void refused(const QString& reason);
-    void told(const QString& text); ///< What the user should know and did not ask for.
+    void told(const QString& text); ///< A message that the user did not ask for.
 
 private:
     [[nodiscard]] model::ToolContext context();
     [[nodiscard]] std::size_t index(model::ToolId id) const;
-    /// Puts the amounts on the active group's range.
+    /// Converts the amounts to fractions of the active group's range.
     void followAmounts(bool tell);
-    /// Tells why the active tool can't start on the target; false then.
+    /// Returns false, with a message, if the active tool cannot start on the target.
     bool mayStart(model::Area area, Qt::KeyboardModifiers modifiers);
     void tellOfCtrl(model::Area area, Qt::KeyboardModifiers modifiers);
     /// Why what Ctrl does besides can't be done.

@@ -1,4 +1,4 @@
-// What both areas show besides head and hair, and whether they work mirrored.
+// What both areas show besides head and hair, and whether edits are mirrored.
 #pragma once
 
 #include "model/document/document.h"
@@ -7,7 +7,7 @@
 
 namespace hairpaint::view {
 
-/// Outside undo. Each setter returns false and tells nothing where nothing differs. GUI thread.
+/// Not undone. Each setter returns false and emits nothing if nothing differs. GUI thread.
 class ViewOptions : public QObject
 {
     Q_OBJECT
@@ -16,7 +16,7 @@ public:
         : QObject(parent), m_document(document)
     {}
 
-    /// What is done on one side of the head is done on the other, too.
+    /// Edits on one side of the head are mirrored to the other.
     [[nodiscard]] bool mirror() const { return m_mirror; }
     bool setMirror(bool mirror) { return set(m_mirror, mirror); }
     [[nodiscard]] bool nightPaper() const { return m_nightPaper; }

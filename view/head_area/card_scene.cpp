@@ -16,7 +16,7 @@ std::shared_ptr<const rendering::CardSet> cardSet(model::HairCards& cards, const
         const model::CardMesh mesh = model::cardMesh(cards, cards.finest(), group);
         const auto first = static_cast<std::uint32_t>(set->corners.size());
         for (const model::CardVertex& vertex : mesh.vertices)
-            set->corners.push_back({.placeHd = back * (vertex.position - pose.positionWo),
+            set->corners.push_back({.positionHd = back * (vertex.position - pose.positionWo),
                                     .normalHd = back * vertex.normal,
                                     .uv = vertex.uv,
                                     .shine = materials[group].shine,

@@ -20,10 +20,10 @@ constexpr double kMostHairs = 4000.0; ///< Over the whole picture, of which a he
 constexpr float kBald = 0.01F;
 
 /// Points of a picture, none nearer to another than a distance.
-class SpacedPlaces
+class SpacedPoints
 {
 public:
-    SpacedPlaces(QSizeF size, double apartPx)
+    SpacedPoints(QSizeF size, double apartPx)
         : m_apartPx(apartPx), m_columns(static_cast<int>(size.width() / apartPx) + 3),
           m_rows(static_cast<int>(size.height() / apartPx) + 3), m_cells(static_cast<std::size_t>(m_columns * m_rows))
     {}
@@ -75,17 +75,17 @@ public:
           m_pxPerClipW(static_cast<float>(size.height()) / (2.0F * std::tan(camera.fieldOfViewRad / 2.0F)))
     {}
 
-    struct Place
+    struct Point
     {
         QPointF at;
         float pxPerM;
     };
-    [[nodiscard]] std::optional<Place> placeOf(glm::vec3 positionHd) const
+    [[nodiscard]] std::optional<Point> pointOf(glm::vec3 positionHd) const
     {
         const glm::vec4 clip = m_clip * glm::vec4(inWorld(positionHd, m_pose), 1.0F);
         if (clip.w <= 0.0F)
             return std::nullopt;
-        return Place{{(static_cast<double>(clip.x / clip.w) * 0.5 + 0.5) * m_size.width(),
+        return Point{{(static_cast<double>(clip.x / clip.w) * 0.5 + 0.5) * m_size.width(),
                       (0.5 - static_cast<double>(clip.y / clip.w) * 0.5) * m_size.height()},
                      m_pxPerClipW / clip.w};
     }
@@ -132,18 +132,18 @@ std::vector<HairSpine> DirectionHairs::seen(const std::shared_ptr<const sim::Ski
         density = nullptr;
     const Picture picture(camera, pose, size);
     const glm::vec3 eyeHd = inHead({.originWo = camera.eyeWo()}, pose).originHd;
-    SpacedPlaces places(size, std::max(kLeastApartPx, std::sqrt(size.width() * size.height() / kMostHairs)));
+    SpacedPoints points(size, std::max(kLeastApartPx, std::sqrt(size.width() * size.height() / kMostHairs)));
     for (const Root& root : m_roots) {
         if (glm::dot(root.point.normalHd, eyeHd - root.point.positionHd) <= 0.0F)
             continue;
-        const std::optional<Picture::Place> place = picture.placeOf(root.point.positionHd);
-        if (!place || !places.hasRoom(place->at) ||
+        const std::optional<Picture::Point> point = picture.pointOf(root.point.positionHd);
+        if (!point || !points.hasRoom(point->at) ||
             (density != nullptr && density->sampleScalar(root.point.uv) < kBald) ||
             hidden(root.point, skin.get(), camera, pose))
             continue;
-        places.take(place->at);
+        points.take(point->at);
         // Two halves of one length; each lies as the map says under its beginning and stands for the rest.
-        const float halfM = static_cast<float>(kTaperedHairPx) * 0.5F / place->pxPerM;
+        const float halfM = static_cast<float>(kTaperedHairPx) * 0.5F / point->pxPerM;
         const auto halfFrom = [&](glm::vec2 direction) {
             const float up = std::sqrt(std::max(0.0F, 1.0F - glm::dot(direction, direction)));
             return (root.frame.toHd(direction) + root.frame.normal * up) * halfM;
@@ -151,10 +151,10 @@ std::vector<HairSpine> DirectionHairs::seen(const std::shared_ptr<const sim::Ski
         const glm::vec2 first = sim::directionAt(*field.direction, root.point.uv);
         const glm::vec2 then = sim::directionAt(*field.direction, root.point.uv + root.uvPerM * (first * halfM));
         const glm::vec3 middleHd = root.point.positionHd + halfFrom(first);
-        const std::optional<Picture::Place> middle = picture.placeOf(middleHd);
-        const std::optional<Picture::Place> tip = picture.placeOf(middleHd + halfFrom(then));
+        const std::optional<Picture::Point> middle = picture.pointOf(middleHd);
+        const std::optional<Picture::Point> tip = picture.pointOf(middleHd + halfFrom(then));
         if (middle && tip)
-            hairs.push_back({place->at, middle->at, tip->at});
+            hairs.push_back({point->at, middle->at, tip->at});
     }
     return hairs;
 }

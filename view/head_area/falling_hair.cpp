@@ -39,8 +39,9 @@ void FallingHair::start(std::vector<model::CutPiece> pieces)
     Q_EMIT moved();
 }
 
-std::vector<FallingLine> FallingHair::seen(const rendering::Camera& camera, QSizeF size) const
+std::vector<FallingLine> FallingHair::seen(const rendering::Camera& camera, QSizeF size, const SkinDepths& skin) const
 {
+    const Lens lens(camera, size);
     const float done = m_time.currentValue().toFloat();
     std::vector<FallingLine> lines;
     lines.reserve(m_pieces.size());
@@ -53,10 +54,19 @@ std::vector<FallingLine> FallingHair::seen(const rendering::Camera& camera, QSiz
                          .colour = QColor(static_cast<int>(rgb & 0xFFU), static_cast<int>(rgb >> 8U & 0xFFU),
                                           static_cast<int>(rgb >> 16U & 0xFFU))};
         line.colour.setAlphaF(kOpacity * (1.0F - done));
-        for (const glm::vec3& point : m_pieces[i].pointsWo)
-            if (const std::optional<QPointF> at = project(camera, point + fallenWo, size))
+        const auto end = [&lines, &line] {
+            if (line.line.size() > 1)
+                lines.push_back(line);
+            line.line.clear();
+        };
+        for (const glm::vec3& point : m_pieces[i].pointsWo) {
+            const std::optional<QPointF> at = project(camera, point + fallenWo, size);
+            if (at && !skin.hides(lens.seen(point + fallenWo)))
                 line.line.push_back(*at);
-        lines.push_back(std::move(line));
+            else
+                end();
+        }
+        end();
     }
     return lines;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/tools/cut_pieces.h"
+#include "view/picking/skin_depths.h"
 #include "view/rendering/scene.h"
 
 #include <QColor>
@@ -21,7 +22,7 @@ struct FallingLine
     QColor colour;
 };
 
-/// For half a second, over the picture; what is in front of it hides nothing. GUI thread.
+/// For half a second, over the picture; the skin before it hides it. GUI thread.
 class FallingHair : public QObject
 {
     Q_OBJECT
@@ -31,7 +32,9 @@ public:
     /// Instead of what still falls.
     void start(std::vector<model::CutPiece> pieces);
     /// None once all have fallen.
-    [[nodiscard]] std::vector<FallingLine> seen(const rendering::Camera& camera, QSizeF size) const;
+    [[nodiscard]] std::vector<FallingLine> seen(const rendering::Camera& camera, QSizeF size,
+                                                const SkinDepths& skin) const;
+    [[nodiscard]] bool falls() const { return !m_pieces.empty(); }
 
 Q_SIGNALS:
     void moved();

@@ -48,7 +48,7 @@ public:
     {
         const bool same = m_shot && m_shot->scene == shot.scene;
         if (same && shot.still && m_shot->still)
-            return; // As fine as it gets, or on the way there.
+            return; // As fine as it gets, or being refined.
         dropFinePicture();
         m_shot = shot;
         if (same && shot.still && !m_outdated) {

@@ -19,8 +19,7 @@ HeadCover::HeadCover(EditorState& editor, const HeadScene& scene, const Theme& t
 {
     m_weather->hide();
     QObject::connect(&m_editor.tools(), &ToolBox::hairCutOff, &m_falling, &FallingHair::start);
-    QObject::connect(&m_falling, &FallingHair::moved, m_overlay,
-                     [this] { m_overlay->setFalling(m_falling.seen(shown().camera, QSizeF(m_area.size()))); });
+    QObject::connect(&m_falling, &FallingHair::moved, m_overlay, [this] { m_overlay->setFalling(fallingHair()); });
 }
 
 void HeadCover::setTheme(const Theme& theme)
@@ -43,11 +42,22 @@ Sight HeadCover::shown() const
     return m_shown.value_or(Sight{.camera = m_scene.camera(), .pose = m_scene.shownPose()});
 }
 
+std::vector<FallingLine> HeadCover::fallingHair() const
+{
+    if (!m_falling.falls())
+        return {};
+    const Sight sight = shown();
+    const QSizeF size(m_area.size());
+    return m_falling.seen(sight.camera, size,
+                          SkinDepths(m_scene.skin(), sight.pose, Lens(sight.camera, size), m_area.size()));
+}
+
 void HeadCover::refresh()
 {
     const Sight sight = shown();
     m_overlay->setShapes(m_editor.tools().overlay(), m_scene.skin(), sight.camera, sight.pose);
     m_overlay->setPictureLine(m_editor.tools().active().pictureLine());
+    m_overlay->setGuides(m_editor.tools().active().guides(), sight.camera, sight.pose);
     m_overlay->setWorn(outlinedWorn(m_editor), m_editor.options().chosenWorn(), sight.camera, sight.pose);
     m_overlay->setGhost(m_scene.hiddenRing());
     m_directions.refreshSoon();

@@ -39,6 +39,7 @@ public:
     void layOut(); ///< Once the area's size or that of a part has changed.
 
 private:
+    [[nodiscard]] std::vector<FallingLine> fallingHair() const; ///< As it is seen at the moment.
     [[nodiscard]] Sight shown() const;
     void refreshStrands();
 

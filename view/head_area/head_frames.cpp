@@ -56,7 +56,7 @@ void HeadFrames::setHair(std::shared_ptr<const sim::StrandFrame> frame)
     const bool unseen = m_scene.scene().cards && frame && shown && frame->pose == shown->pose;
     const bool isFirst = frame && !shown;
     const bool moved = (m_stillness.moved(frame, m_scene.camera(), m_area.size()) || isFirst) && !unseen;
-    const bool finer = frame && shown && sim::placedDetail(*frame) > sim::placedDetail(*shown);
+    const bool finer = frame && shown && sim::frameDetail(*frame) > sim::frameDetail(*shown);
     if (m_pacer.still() && !moved && !finer)
         return; // A picture that is being refined is worth more than a difference nobody sees.
     m_scene.setHair(std::move(frame));

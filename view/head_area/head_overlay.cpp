@@ -94,6 +94,25 @@ void HeadOverlay::setPictureLine(model::PictureLine line)
     showIfNeeded();
 }
 
+void HeadOverlay::setGuides(const std::vector<model::GuideStrand>& guides, const rendering::Camera& camera,
+                            const sim::HeadPose& pose)
+{
+    if (guides.empty() && m_guides.empty())
+        return;
+    m_guides.clear();
+    m_heldGuide.clear();
+    for (const model::GuideStrand& guide : guides) {
+        QPolygonF line;
+        for (const glm::vec3& node : guide.nodesHd)
+            if (const std::optional<QPointF> at = project(camera, inWorld(node, pose), QSizeF(size())))
+                line.push_back(*at);
+        if (guide.held)
+            m_heldGuide = line;
+        m_guides.push_back(std::move(line));
+    }
+    showIfNeeded();
+}
+
 void HeadOverlay::setFalling(std::vector<FallingLine> falling)
 {
     if (falling.empty() && m_falling.empty())
@@ -172,7 +191,7 @@ void HeadOverlay::showIfNeeded()
 {
     setVisible(!m_directions.empty() || !m_lines.empty() || !m_handles.isEmpty() || !m_ghost.isEmpty() ||
                !m_wornOutlines.empty() || m_pictureLine.line.size() > 1 || !m_falling.empty() ||
-               !m_strandRing.isEmpty());
+               !m_strandRing.isEmpty() || !m_guides.empty());
     update();
 }
 
@@ -220,10 +239,22 @@ void HeadOverlay::paintEvent(QPaintEvent*)
         if (!m_strandRing.isEmpty())
             painter.drawEllipse(m_strandRing);
     }
+    for (const auto& [colour, width] :
+         {std::pair(QColor(0, 0, 0, 120), 2.5), std::pair(QColor(255, 255, 255, 200), 1.0)}) {
+        painter.setPen(QPen(colour, width));
+        for (const QPolygonF& guide : m_guides)
+            painter.drawPolyline(guide);
+    }
+    painter.setPen(QPen(m_theme.accent, 2.5));
+    painter.drawPolyline(m_heldGuide);
     painter.setPen(QPen(QColor(0, 0, 0, 190), 1.0));
     painter.setBrush(QColor(255, 255, 255, 235));
     for (const QPointF& handle : m_handles)
         painter.drawRect(handleAt(handle));
+    constexpr double kNodePx = 2.5;
+    for (const QPolygonF& guide : m_guides)
+        for (qsizetype i = 1; i < guide.size(); ++i)
+            painter.drawEllipse(guide[i], kNodePx, kNodePx);
     if (!m_ghost.isEmpty()) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(QColor(0, 0, 0, 120), 3.0));

@@ -33,6 +33,12 @@ public:
     void setPictureLine(model::PictureLine line);
     [[nodiscard]] const model::PictureLine& pictureLine() const { return m_pictureLine; }
 
+    /// Hairs that can be bent by their nodes, the root's excepted.
+    void setGuides(const std::vector<model::GuideStrand>& guides, const rendering::Camera& camera,
+                   const sim::HeadPose& pose);
+    /// In this widget's coordinates, from the root to the tip.
+    [[nodiscard]] const std::vector<QPolygonF>& guides() const { return m_guides; }
+
     /// Cut hair, under every outline.
     void setFalling(std::vector<FallingLine> falling);
     [[nodiscard]] const std::vector<FallingLine>& falling() const { return m_falling; }
@@ -69,6 +75,8 @@ private:
     std::vector<QPolygonF> m_lines; ///< In this widget's coordinates, as the next two.
     QPolygonF m_handles;
     model::PictureLine m_pictureLine;
+    std::vector<QPolygonF> m_guides;
+    QPolygonF m_heldGuide; ///< The one of them that is bent.
     std::vector<FallingLine> m_falling;
     std::vector<QPolygonF> m_strands;
     QRectF m_strandRing; ///< A circle's.

@@ -56,7 +56,9 @@ HeadPointer::Drag HeadPointer::dragOf(const PointerSample& pressed)
         m_editor.tools().active().pictureHandler() != nullptr)
         return Drag::Picture;
     if (!alt && grabs()) {
-        m_grabbed = m_scene.hairAt(pressed.position);
+        m_grabbed = m_scene.guideNodeAt(pressed.position);
+        if (!m_grabbed)
+            m_grabbed = m_scene.hairAt(pressed.position);
         return m_grabbed ? Drag::Stroke : Drag::Orbit;
     }
     const bool meets = m_scene.skinAt(pressed.position) || m_scene.overHair(pressed.position);
@@ -209,9 +211,12 @@ void HeadPointer::hoverAt(const PointerSample& sample)
     std::optional<sim::SurfacePoint> point;
     if (m_drag == Drag::Stroke && m_grabbed)
         point = m_grabbed->root;
-    else if (const auto hair = grabs() ? m_scene.hairAt(sample.position) : std::nullopt)
+    else if (const auto node = grabs() ? m_scene.guideNodeAt(sample.position) : std::nullopt)
+        point = node->root; // The hairs that are offered stay while one of their nodes is under the pointer.
+    else if (const auto hair = grabs() ? m_scene.hairAt(sample.position) : std::nullopt) {
         point = hair->root;
-    else
+        m_editor.tools().hover(hair);
+    } else
         point = m_scene.skinAt(sample.position);
     if (const std::optional<model::OverHair> hair = m_scene.overHair(sample.position))
         m_editor.hover().set(HoverPoint{.area = model::Area::Head,
@@ -230,7 +235,7 @@ void HeadPointer::blowAt(const PointerSample& sample)
     const RayWo ray = rayThrough(m_scene.camera(), sample.position, QSizeF(m_area.size()));
     const std::optional<HoverPoint>& hover = m_editor.hover().at();
     const std::optional<glm::vec3> positionWo =
-        placeNearHair(ray, m_scene.shownPose(), hover ? hover->point : std::nullopt);
+        pointNearHair(ray, m_scene.shownPose(), hover ? hover->point : std::nullopt);
     if (!positionWo) {
         m_puffs.interrupt();
         return;

@@ -10,6 +10,8 @@
 
 #include <QWidget>
 
+#include <QLineF>
+
 #include <algorithm>
 #include <limits>
 
@@ -97,7 +99,11 @@ void HeadScene::setEnvironment(const model::Project& project, const model::Light
 {
     m_scene.light = sceneLight(light);
     m_scene.skin = sceneSkin(project.skin);
-    m_scene.solids = sceneSolids(project.worn);
+    const std::shared_ptr<const sim::Skin> skin = project.head != nullptr ? project.head->skin : nullptr;
+    const std::vector<rendering::Solid> before =
+        skin == m_solidsOn.lock() ? m_scene.solids : decltype(m_scene.solids)();
+    m_scene.solids = sceneSolids(project.worn, skin.get(), before);
+    m_solidsOn = skin;
     m_scene.background = linearColour(project.background);
 }
 
@@ -162,6 +168,26 @@ std::optional<model::GrabbedHair> HeadScene::hairAt(QPointF position) const
             glm::dot(inWorld(skin->positionHd, shownPose()) - eyeWo, glm::normalize(m_scene.camera.targetWo - eyeWo));
     return hairNear(position, *m_scene.hair, m_editor.target().group(), m_scene.camera, QSizeF(m_area.size()),
                     furthestM);
+}
+
+std::optional<model::GrabbedHair> HeadScene::guideNodeAt(QPointF position) const
+{
+    constexpr double kNodePx = 9.0;
+    std::optional<model::GrabbedHair> found;
+    double nearestPx = kNodePx;
+    for (const model::GuideStrand& guide : m_editor.tools().active().guides()) {
+        float alongM = 0.0F;
+        for (std::size_t i = 1; i < guide.nodesHd.size(); ++i) {
+            alongM += glm::distance(guide.nodesHd[i - 1], guide.nodesHd[i]);
+            const std::optional<QPointF> at = positionOf(guide.nodesHd[i]);
+            const double awayPx = at ? QLineF(*at, position).length() : kNodePx;
+            if (awayPx >= nearestPx)
+                continue;
+            nearestPx = awayPx;
+            found = {.root = guide.root, .positionHd = guide.nodesHd[i], .alongM = alongM};
+        }
+    }
+    return found;
 }
 
 PictureSource HeadScene::pictureSource() const

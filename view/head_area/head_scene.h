@@ -66,12 +66,16 @@ public:
     /// The ring of a brush in the paint area, in px, where the head hides it; empty where it does not.
     [[nodiscard]] QPolygonF hiddenRing() const;
 
+    /// Of what is worn and drawn, in that order.
+    [[nodiscard]] const std::vector<rendering::Solid>& solids() const { return m_scene.solids; }
     /// The skin that a position of the area shows, hair ignored; none where the ray misses the head.
     [[nodiscard]] std::optional<sim::SurfacePoint> skinAt(QPointF position) const;
     /// How large a pixel of the area is on the skin there; not all of it where that is seen from the side.
     [[nodiscard]] float pixelAt(const sim::SurfacePoint& point) const;
     /// The active group's hair that a position of the area shows; none where none is near.
     [[nodiscard]] std::optional<model::GrabbedHair> hairAt(QPointF position) const;
+    /// The node under the pointer of the hairs that the active tool offers to be bent.
+    [[nodiscard]] std::optional<model::GrabbedHair> guideNodeAt(QPointF position) const;
     /// The active group's hair as the area shows it.
     [[nodiscard]] const model::SeenHair& seen() const { return m_seen; }
     /// Where the active tool is to work on the strands that a position shows, and not on the skin there; as far away as
@@ -92,7 +96,8 @@ private:
     const HeadTurn& m_turn;
     const QWidget& m_area;
     rendering::Scene m_scene;
-    std::optional<sim::SurfacePoint> m_brush; ///< Where it was last.
+    std::optional<sim::SurfacePoint> m_brush;  ///< Where it was last.
+    std::weak_ptr<const sim::Skin> m_solidsOn; ///< What the solids were made for.
     StrandPick m_seen;
 };
 

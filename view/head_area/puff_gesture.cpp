@@ -32,7 +32,7 @@ std::optional<Puff> PuffGesture::moved(glm::vec3 positionWo, double seconds)
                 .radiusM = 0.05F};
 }
 
-std::optional<glm::vec3> placeNearHair(const RayWo& ray, const sim::HeadPose& pose,
+std::optional<glm::vec3> pointNearHair(const RayWo& ray, const sim::HeadPose& pose,
                                        const std::optional<sim::SurfacePoint>& hit)
 {
     if (hit)

@@ -33,7 +33,7 @@ private:
 };
 
 /// Where a ray passes the hair: the skin it hits, else the ray's nearest point to the head; none far from the head.
-[[nodiscard]] std::optional<glm::vec3> placeNearHair(const RayWo& ray, const sim::HeadPose& pose,
+[[nodiscard]] std::optional<glm::vec3> pointNearHair(const RayWo& ray, const sim::HeadPose& pose,
                                                      const std::optional<sim::SurfacePoint>& hit);
 
 } // namespace hairpaint::view

@@ -1,6 +1,7 @@
 // Light, skin, worn things and colours for the renderer: see the header.
 #include "view/head_area/scene_light.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hairpaint::view {
@@ -37,7 +38,8 @@ rendering::SkinShading sceneSkin(model::SkinTone tone)
             .sheen = look.sheen};
 }
 
-std::vector<rendering::Solid> sceneSolids(const std::vector<model::Worn>& worn)
+std::vector<rendering::Solid> sceneSolids(const std::vector<model::Worn>& worn, const sim::Skin* skin,
+                                          std::span<const rendering::Solid> before)
 {
     std::vector<rendering::Solid> solids;
     for (const model::Worn& one : worn) {
@@ -45,9 +47,10 @@ std::vector<rendering::Solid> sceneSolids(const std::vector<model::Worn>& worn)
         if (!spec.drawn())
             continue;
         rendering::Solid& solid = solids.emplace_back();
-        solid.mesh = spec.mesh();
         solid.shape = one.shape;
         solid.shape.rotation = glm::normalize(one.shape.rotation); // A file may hold one of another length.
+        const auto same = std::ranges::find(before, solid.shape, &rendering::Solid::shape);
+        solid.mesh = spec.fitted != nullptr && same != before.end() ? same->mesh : wornMesh(one, skin);
         solid.colour = linearColour(one.colour);
         solid.sheen = one.sheen;
     }

@@ -4,12 +4,17 @@
 #include "model/project/project.h"
 #include "view/rendering/scene.h"
 
+#include <span>
+#include <vector>
+
 namespace hairpaint::view {
 
 [[nodiscard]] rendering::Light sceneLight(const model::LightSettings& settings);
 [[nodiscard]] rendering::SkinShading sceneSkin(model::SkinTone tone);
-/// What is worn and drawn.
-[[nodiscard]] std::vector<rendering::Solid> sceneSolids(const std::vector<model::Worn>& worn);
+/// What is worn and drawn. `before`: of an earlier call with that skin, whose meshes are taken for things that follow
+/// the head and lie as they did.
+[[nodiscard]] std::vector<rendering::Solid> sceneSolids(const std::vector<model::Worn>& worn, const sim::Skin* skin,
+                                                        std::span<const rendering::Solid> before = {});
 /// An sRGB colour in linear light.
 [[nodiscard]] glm::vec3 linearColour(QRgb encoded);
 

@@ -18,7 +18,7 @@ template<class Visit>
 void forEachNode(const sim::GroupFrame& group, const Visit& visit)
 {
     const sim::StrandBlocks layout = group.groom->blocks();
-    group.forEachPlacedBlock([&](std::size_t block) {
+    group.forEachPositionedBlock([&](std::size_t block) {
         for (std::size_t row = 0; row < layout.blockFloats(); row += sim::StrandBlocks::kNodeStride)
             for (std::size_t lane = 0; lane < sim::kLanes; ++lane)
                 visit(sim::StrandBlocks::load(group.positions.data() + layout.floatsFor(block) + row + lane));

@@ -26,12 +26,12 @@ float farthest(const sim::GroupFrame& now, const sim::GroupFrame& before)
     const sim::GroupFrame& coarser = now.detail < before.detail ? now : before;
     const auto nodes = static_cast<std::size_t>(now.groom->nodes);
     std::size_t blocks = 0;
-    coarser.forEachPlacedBlock([&](std::size_t) { ++blocks; });
+    coarser.forEachPositionedBlock([&](std::size_t) { ++blocks; });
     const std::size_t step =
         std::max<std::size_t>(1, blocks * nodes / kRows) | 1U; // Odd: every node's turn comes, tips too.
     float greatest = 0.0F;
     std::size_t number = 0;
-    coarser.forEachPlacedBlock([&](std::size_t block) {
+    coarser.forEachPositionedBlock([&](std::size_t block) {
         for (std::size_t node = 0; node < nodes; ++node) {
             if (number++ % step != 0)
                 continue;

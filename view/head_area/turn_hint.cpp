@@ -15,18 +15,18 @@ TurnHint::TurnHint(QWidget& area) : QLabel(tr("Drag beside the head to turn it; 
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAlignment(Qt::AlignCenter);
     area.installEventFilter(this);
-    place();
+    reposition();
 }
 
 bool TurnHint::eventFilter(QObject* watched, QEvent* event)
 {
     // What draws the area may come later, and another time.
     if (event->type() == QEvent::Resize || event->type() == QEvent::Show || event->type() == QEvent::ChildPolished)
-        place();
+        reposition();
     return QLabel::eventFilter(watched, event);
 }
 
-void TurnHint::place()
+void TurnHint::reposition()
 {
     ensurePolished();
     const QSize area = parentWidget()->size();

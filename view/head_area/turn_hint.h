@@ -16,7 +16,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void place();
+    void reposition();
 };
 
 } // namespace hairpaint::view

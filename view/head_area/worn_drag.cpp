@@ -94,10 +94,17 @@ model::Id WornDrag::bodyAt(QPointF position) const
     const std::optional<sim::SurfacePoint> skin = m_scene.skinAt(position);
     float nearestM = skin ? glm::distance(ray.originHd, skin->positionHd) : std::numeric_limits<float>::max();
     model::Id nearest = 0;
+    std::size_t drawn = 0;
     for (const model::Worn& worn : all) {
-        if (!wornSpec(worn.kind).drawn())
+        const model::WornSpec& spec = wornSpec(worn.kind);
+        if (!spec.drawn())
             continue;
-        const std::optional<float> entryM = entryAlong(ray, worn.shape);
+        const std::size_t solid = drawn++;
+        sim::Ellipsoid around = worn.shape;
+        around.semiAxesM *= spec.reach;
+        std::optional<float> entryM = entryAlong(ray, around);
+        if (entryM && spec.stands && solid < m_scene.solids().size())
+            entryM = meetingAlong(ray, worn.shape, *m_scene.solids()[solid].mesh);
         if (entryM && *entryM < nearestM) {
             nearestM = *entryM;
             nearest = worn.id;
@@ -118,6 +125,7 @@ bool WornDrag::press(const PointerSample& sample)
     }
     m_grip = grip;
     m_pressed = sample;
+    m_over.reset();
     m_before = *project.wornThing(grip.id);
     m_editor.options().setChosenWorn(grip.id);
     return true;
@@ -127,8 +135,12 @@ void WornDrag::move(const PointerSample& sample)
 {
     if (m_editor.document().project().wornThing(m_grip.id) == nullptr)
         return;
-    const bool sizes = m_grip.end != kNoEnd || m_pressed.modifiers.testFlag(Qt::ShiftModifier);
     const model::WornSpec& spec = wornSpec(m_before.kind);
+    if (spec.stands && (m_grip.end == kTurnEnd || (m_grip.end == kNoEnd && !isShiftHeld()))) {
+        show(spec.moveStep, m_grip.end == kTurnEnd ? turned(sample) : overSkin(sample));
+        return;
+    }
+    const bool sizes = m_grip.end != kNoEnd || isShiftHeld();
     m_editor.document().show(
         m_edit, {.text = model::wornText(sizes ? spec.sizeStep : spec.moveStep)},
         {.aspect = model::Change::Aspect::Environment},
@@ -137,9 +149,64 @@ void WornDrag::move(const PointerSample& sample)
             if (worn == nullptr)
                 return;
             worn->shape = now;
+            if (sizes)
+                holdSize(*worn);
+            else if (worn->patch)
+                worn->patch->placedByHand = true;
             if (!sizes)
                 anchorWorn(*worn, project.head ? project.head->skin.get() : nullptr);
         });
+}
+
+void WornDrag::show(const char* step, const model::Worn& now)
+{
+    m_editor.document().show(m_edit, {.text = model::wornText(step)}, {.aspect = model::Change::Aspect::Environment},
+                             [now](model::Project& project) {
+                                 if (model::Worn* worn = project.wornThing(now.id))
+                                     *worn = now;
+                             });
+}
+
+/// Under the pointer as it was gripped; where that leaves the head, as it was last.
+model::Worn WornDrag::overSkin(const PointerSample& sample)
+{
+    const model::Project& shown = m_editor.document().project();
+    model::Worn now = m_before;
+    if (shown.head == nullptr || shown.head->skin == nullptr)
+        return now;
+    const sim::SurfacePoint from = anchorPoint(m_before, *shown.head->skin);
+    const QPointF at = m_scene.positionOf(from.positionHd).value_or(m_pressed.position);
+    if (const std::optional<sim::SurfacePoint> to = m_scene.skinAt(at + (sample.position - m_pressed.position)))
+        m_over = to;
+    if (m_over)
+        carryTo(now, from, *m_over);
+    return now;
+}
+
+/// Its z goes where the pointer is, on a ball around it; with Shift it turns about its z.
+model::Worn WornDrag::turned(const PointerSample& sample) const
+{
+    const HeadSight now = sight();
+    model::Worn worn = m_before;
+    const glm::vec3 centreHd = m_before.shape.centreHd;
+    const glm::quat before = glm::normalize(m_before.shape.rotation);
+    const glm::vec3 z = before * glm::vec3(0.0F, 0.0F, 1.0F);
+    if (worn.patch)
+        worn.patch->placedByHand = true;
+    if (isShiftHeld()) {
+        constexpr float kRadPerPx = 0.02F;
+        const auto angle = static_cast<float>(sample.position.x() - m_pressed.position.x()) * kRadPerPx;
+        worn.shape.rotation = glm::normalize(glm::angleAxis(angle, z) * before);
+        return worn;
+    }
+    const float reachM = glm::distance(turnEndHd(m_before), centreHd);
+    const sim::RayHd ray = inHead(rayThrough(now.camera, sample.position, now.size), now.pose);
+    const float alongM = glm::dot(centreHd - ray.originHd, ray.directionHd);
+    const glm::vec3 beside = ray.originHd + ray.directionHd * alongM - centreHd;
+    const float rest = reachM * reachM - glm::dot(beside, beside);
+    const glm::vec3 to = glm::normalize(beside - ray.directionHd * std::sqrt(std::max(rest, 0.0F)));
+    worn.shape.rotation = glm::normalize(glm::quat(z, to) * before);
+    return worn;
 }
 
 sim::Ellipsoid WornDrag::moved(const PointerSample& sample) const

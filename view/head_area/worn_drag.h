@@ -18,8 +18,9 @@ class HeadScene;
 /// Whose outlines are seen: those of all while colliders are shown, else of the chosen one.
 [[nodiscard]] std::vector<model::Worn> outlinedWorn(const EditorState& editor);
 
-/// A press on an outline, or on a body that is drawn, chooses that thing and drags it in the plane of the screen (with
-/// Shift: makes it larger or smaller), and one on an end of a chosen one's axis changes what WornSpec::handles says.
+/// A press on an outline, or on a body that is drawn, chooses that thing and drags it in the plane of the screen, or
+/// over the skin where it stands on it (with Shift: makes it larger or smaller), one on the handle off it turns it
+/// (with Shift: about itself), and one on an end of a chosen one's axis changes what WornSpec::handles says.
 /// One elsewhere lets go of what is chosen and drawn. Each drag is one undo step, or none where it is cancelled. GUI
 /// thread; all that it is made of must outlive it.
 class WornDrag
@@ -46,6 +47,10 @@ private:
     [[nodiscard]] Grip gripAt(QPointF position) const;
     [[nodiscard]] model::Id bodyAt(QPointF position) const; ///< 0 where none is before the skin.
     [[nodiscard]] HeadSight sight() const;
+    [[nodiscard]] bool isShiftHeld() const { return m_pressed.modifiers.testFlag(Qt::ShiftModifier); }
+    void show(const char* step, const model::Worn& now);
+    [[nodiscard]] model::Worn overSkin(const PointerSample& sample);
+    [[nodiscard]] model::Worn turned(const PointerSample& sample) const;
     [[nodiscard]] sim::Ellipsoid moved(const PointerSample& sample) const;
     [[nodiscard]] sim::Ellipsoid sized(const PointerSample& sample) const;
 
@@ -56,6 +61,7 @@ private:
     Grip m_grip;
     PointerSample m_pressed;
     model::Worn m_before;
+    std::optional<sim::SurfacePoint> m_over; ///< Where over the skin it was dragged last.
 };
 
 } // namespace hairpaint::view

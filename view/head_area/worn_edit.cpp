@@ -4,6 +4,8 @@
 #include "model/document/commands.h"
 #include "view/editing/editor_state.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 
 namespace hairpaint::view {
@@ -12,9 +14,16 @@ void addWornAt(EditorState& editor, model::WornKind kind, const sim::SurfacePoin
 {
     const model::WornSpec& spec = model::wornSpec(kind);
     model::Document& document = editor.document();
-    model::CommandPtr command = addWornCommand(document, makeWorn(spec, point, editor.target().group()));
-    if (command == nullptr)
+    model::CommandPtr command =
+        spec.patchStep == nullptr
+            ? addWornCommand(document, makeWorn(spec, point, editor.target().group()))
+            : gatherCommand(document, editor.target().group(), spec, point, editor.tools().selection().rectangles());
+    if (command == nullptr) {
+        if (spec.patchStep != nullptr && editor.tools().mayPaint({model::MapKind::Accessory}))
+            Q_EMIT editor.refused(model::wornText(
+                QT_TRANSLATE_NOOP("Worn", "No hair is left to gather here: paint density, or take another tie off")));
         return;
+    }
     document.push(std::move(command));
     const std::vector<model::Worn>& all = document.project().worn;
     if (!spec.drawn())

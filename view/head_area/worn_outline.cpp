@@ -36,6 +36,13 @@ glm::vec3 axisToEnd(const sim::Ellipsoid& shape, int end)
     return shape.rotation * own;
 }
 
+glm::vec3 turnEndHd(const model::Worn& worn)
+{
+    constexpr float kOffM = 0.02F;
+    const glm::vec3 z = glm::normalize(worn.shape.rotation) * glm::vec3(0.0F, 0.0F, 1.0F);
+    return worn.shape.centreHd + z * (worn.shape.semiAxesM.z + kOffM);
+}
+
 std::vector<WornHandle> handlesOf(const model::Worn& worn, const HeadSight& sight)
 {
     constexpr int kEnds = 6;
@@ -46,13 +53,45 @@ std::vector<WornHandle> handlesOf(const model::Worn& worn, const HeadSight& sigh
     for (int end = 0; end < kEnds; ++end) {
         const glm::vec3 axis = axisToEnd(worn.shape, end);
         const float cosine = glm::dot(sight.pose.rotation * axis, view);
+        if (wornSpec(worn.kind).stands && end / 2 == 2)
+            continue; // It is turned by that axis.
         if (wornSpec(worn.kind).drawn() && 1.0F - cosine * cosine < kAcross)
             continue;
         const glm::vec3 endHd = worn.shape.centreHd + axis * worn.shape.semiAxesM[end / 2];
         if (const auto at = project(sight.camera, inWorld(endHd, sight.pose), sight.size))
             handles.push_back({.end = end, .at = *at});
     }
+    if (wornSpec(worn.kind).stands)
+        if (const auto at = project(sight.camera, inWorld(turnEndHd(worn), sight.pose), sight.size))
+            handles.push_back({.end = kTurnEnd, .at = *at});
     return handles;
+}
+
+std::optional<float> meetingAlong(const sim::RayHd& ray, const sim::Ellipsoid& shape, const sim::HeadMesh& mesh)
+{
+    const glm::quat back = glm::conjugate(glm::normalize(shape.rotation));
+    const glm::vec3 origin = back * (ray.originHd - shape.centreHd) / shape.semiAxesM;
+    const glm::vec3 direction = back * ray.directionHd / shape.semiAxesM;
+    std::optional<float> nearest;
+    for (const glm::uvec3& triangle : mesh.triangles) {
+        const glm::vec3& a = mesh.positionsHd[triangle.x];
+        const glm::vec3 ab = mesh.positionsHd[triangle.y] - a;
+        const glm::vec3 ac = mesh.positionsHd[triangle.z] - a;
+        const glm::vec3 across = glm::cross(direction, ac);
+        const float determinant = glm::dot(ab, across);
+        if (determinant <= 0.0F)
+            continue; // Seen from behind.
+        const glm::vec3 from = origin - a;
+        const float u = glm::dot(from, across);
+        const glm::vec3 other = glm::cross(from, ab);
+        const float v = glm::dot(direction, other);
+        if (u < 0.0F || v < 0.0F || u + v > determinant)
+            continue;
+        const float distanceM = glm::dot(ac, other) / determinant;
+        if (distanceM > 0.0F && (!nearest || distanceM < *nearest))
+            nearest = distanceM;
+    }
+    return nearest;
 }
 
 std::optional<float> entryAlong(const sim::RayHd& ray, const sim::Ellipsoid& shape)

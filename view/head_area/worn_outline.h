@@ -21,16 +21,24 @@ struct HeadSight
 
 /// Where it is cut across each of its own axes through its centre; without those of which a part lies behind the eye.
 [[nodiscard]] std::vector<QPolygonF> outlinesOf(const sim::Ellipsoid& shape, const HeadSight& sight);
-/// An end of an axis that can be pulled.
+/// The handle by which what stands on the skin is turned, after the ends of the axes.
+inline constexpr int kTurnEnd = 6;
+/// Where it lies, Hd: off the thing, where its z goes.
+[[nodiscard]] glm::vec3 turnEndHd(const model::Worn& worn);
+
+/// An end of an axis that can be pulled, or what it is turned by.
 struct WornHandle
 {
-    int end = 0; ///< Of one of the axes: two for each, in their order.
+    int end = 0; ///< Of one of the axes: two for each, in their order; or kTurnEnd.
     QPointF at;
 };
 /// Without ends behind the eye, and those before a body that is drawn, by which it is moved.
 [[nodiscard]] std::vector<WornHandle> handlesOf(const model::Worn& worn, const HeadSight& sight);
 /// Unit, from the centre to that end, Hd.
 [[nodiscard]] glm::vec3 axisToEnd(const sim::Ellipsoid& shape, int end);
+/// How far along the ray it meets a mesh of the unit ball's space, m; none where it misses it.
+[[nodiscard]] std::optional<float> meetingAlong(const sim::RayHd& ray, const sim::Ellipsoid& shape,
+                                                const sim::HeadMesh& mesh);
 /// How far along the ray it enters the shape, m; none where it misses it or begins inside.
 [[nodiscard]] std::optional<float> entryAlong(const sim::RayHd& ray, const sim::Ellipsoid& shape);
 

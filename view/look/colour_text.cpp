@@ -22,10 +22,10 @@ std::optional<QColor> fromDigits(const QString& digits)
 /// Of 0..255, or of 0..100 %.
 std::optional<int> channel(const QString& text)
 {
-    const bool isShare = text.endsWith(QLatin1Char('%'));
+    const bool isPercent = text.endsWith(QLatin1Char('%'));
     bool isNumber = false;
-    const double number = (isShare ? text.chopped(1) : text).toDouble(&isNumber);
-    const double value = isShare ? number * kMost / 100.0 : number;
+    const double number = (isPercent ? text.chopped(1) : text).toDouble(&isNumber);
+    const double value = isPercent ? number * kMost / 100.0 : number;
     if (!isNumber || !(value >= 0.0 && value <= kMost))
         return std::nullopt;
     return static_cast<int>(std::lround(value));

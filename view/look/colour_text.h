@@ -1,4 +1,4 @@
-// Colours as people have them in the clipboard.
+// Reads colours from text, such as the clipboard's.
 #pragma once
 
 #include <QColor>

@@ -1,4 +1,4 @@
-// The units that people type behind numbers, and the writing of both made one.
+// The units that people type behind numbers, and normalised spellings of both.
 #pragma once
 
 #include <QString>
@@ -21,7 +21,7 @@ struct NumberUnit
     double factor; ///< To SI.
 };
 
-/// The same characters for what reads the same: digits of any script, minus signs, primes, spaces, squares; in lower
+/// Normalises digits of any script, minus signs, primes, spaces and squares to one character each; in lower
 /// case.
 [[nodiscard]] QString plainNumberText(QString text);
 /// By a plain name. Null for what is none of these.

@@ -1,4 +1,4 @@
-// Text where the system has no font.
+// Fonts for systems that have none.
 #pragma once
 
 namespace hairpaint::view {

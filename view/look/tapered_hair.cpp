@@ -20,17 +20,17 @@ constexpr QColor kLight{255, 255, 255, 215};
 
 void drawTaperedHair(QPainter& painter, const HairSpine& spine)
 {
-    const QPointF way = spine[2] - spine[0];
-    const double length = std::hypot(way.x(), way.y());
+    const QPointF along = spine[2] - spine[0];
+    const double length = std::hypot(along.x(), along.y());
     for (const auto& [colour, more] : {std::pair(kDark, kShadowPx), std::pair(kLight, 0.0)}) {
         painter.setBrush(colour);
         if (length < kLeastPx) {
             painter.drawEllipse(spine[0], kRootPx + more, kRootPx + more);
             continue;
         }
-        const QPointF side(-way.y() / length, way.x() / length);
+        const QPointF side(-along.y() / length, along.x() / length);
         const std::array<QPointF, 5> outline{spine[0] + side * (kRootPx + more), spine[1] + side * (kBendPx + more),
-                                             spine[2] + way * (more / length), spine[1] - side * (kBendPx + more),
+                                             spine[2] + along * (more / length), spine[1] - side * (kBendPx + more),
                                              spine[0] - side * (kRootPx + more)};
         painter.drawPolygon(outline.data(), static_cast<int>(outline.size()));
     }

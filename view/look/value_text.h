@@ -1,4 +1,4 @@
-// What a map's value means in the group's units, as the user reads it.
+// Formats a map's value in the group's units.
 #pragma once
 
 #include "model/project/project.h"

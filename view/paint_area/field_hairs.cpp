@@ -41,13 +41,13 @@ public:
     void draw(QPointF rootPaper)
     {
         const QPointF root = m_toWidget.map(rootPaper);
-        const QPointF middle = root + wayAt(root) * 0.5;
-        drawTaperedHair(m_painter, {root, middle, middle + wayAt(middle) * 0.5});
+        const QPointF middle = root + directionAt(root) * 0.5;
+        drawTaperedHair(m_painter, {root, middle, middle + directionAt(middle) * 0.5});
     }
 
 private:
     /// In pixels of the widget.
-    [[nodiscard]] QPointF wayAt(QPointF position) const
+    [[nodiscard]] QPointF directionAt(QPointF position) const
     {
         constexpr float kGreatest = 65535.0F;
         const glm::vec4 stored = m_map.sampleBilinear(UvTransform::uvOf(m_toPaper.map(position)));

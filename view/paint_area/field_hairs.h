@@ -1,4 +1,4 @@
-// Short tapered hairs over a direction map, so that it can be read.
+// Draws short tapered hairs over a direction map.
 #pragma once
 
 #include "sim/base/tiled_raster.h"
@@ -9,7 +9,7 @@
 
 namespace hairpaint::view {
 
-/// How far a hair may reach from its root, px: what a change touches is that much wider.
+/// How far a hair may reach from its root, px; the area repainted after a change grows by it.
 inline constexpr int kFieldHairReachPx = 22;
 
 /// Hairs whose size and distance are in pixels and whose roots stay where they are on the paper, so that they neither

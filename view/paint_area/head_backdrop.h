@@ -1,4 +1,4 @@
-// What the paint area draws of a head: light and shade, and edges.
+// The shading and the edges of a head that the paint area draws.
 #pragma once
 
 #include "model/project/project.h"

@@ -90,11 +90,11 @@ void MapLegend::showMap(const model::MapSpec& spec, const sim::GroupSettings& se
         m_title = tr("%1, %2").arg(spec.titleText(), valueUnit(settings, spec.kind).unit);
     }
     if (spec.texel == model::TexelKind::Vector) {
-        const std::array<std::pair<QString, glm::vec2>, 5> ways{
+        const std::array<std::pair<QString, glm::vec2>, 5> directions{
             std::pair(tr("Upright"), glm::vec2(0.0F, 0.0F)), std::pair(tr("Up the map"), glm::vec2(0.0F, 1.0F)),
             std::pair(tr("Down the map"), glm::vec2(0.0F, -1.0F)), std::pair(tr("To the left"), glm::vec2(-1.0F, 0.0F)),
             std::pair(tr("To the right"), glm::vec2(1.0F, 0.0F))};
-        for (const auto& [text, direction] : ways) {
+        for (const auto& [text, direction] : directions) {
             m_labels.append(text);
             m_colours.append(valueColour(spec, {.direction = direction}, nightPaper));
         }
@@ -105,13 +105,13 @@ void MapLegend::showMap(const model::MapSpec& spec, const sim::GroupSettings& se
         m_labels.append(spec.palette[i].titleText());
         m_colours.append(valueColour(spec, value, nightPaper));
     }
-    place();
+    reposition();
     show();
     raise();
     update();
 }
 
-void MapLegend::place()
+void MapLegend::reposition()
 {
     const QSize area = parentWidget()->size();
     const int lines = static_cast<int>(m_labels.size()) + 1;
@@ -138,7 +138,7 @@ bool MapLegend::eventFilter(QObject* watched, QEvent* event)
     else if (event->type() == QEvent::Leave)
         setFaded(false);
     else if (event->type() == QEvent::Resize && !isHidden())
-        place();
+        reposition();
     return QWidget::eventFilter(watched, event);
 }
 

@@ -1,4 +1,4 @@
-// What a map's colours mean, on the paint area and on hair that shows one map.
+// The legend of a map's colours, on the paint area and on hair that shows one map.
 #pragma once
 
 #include "model/project/map_spec.h"
@@ -40,7 +40,7 @@ protected:
 
 private:
     void setFaded(bool faded);
-    void place(); ///< In that corner of the parent, folded where that is small.
+    void reposition(); ///< To that corner of the parent, folded where that is small.
     void paintFolded(QPainter& painter, const QRect& line) const;
     void paintScale(QPainter& painter, const QRect& line) const;
 

@@ -1,4 +1,4 @@
-// A map's picture in tiles at every halving, made when wanted and mended where the map changes.
+// A map's picture as a pyramid of tiles, drawn on demand and updated where the map changes.
 #pragma once
 
 #include "model/project/map_spec.h"
@@ -32,9 +32,9 @@ public:
 
     /// Draws what `visiblePaper` covers. Smooth where texels are smaller than pixels, crisp where they are larger.
     void draw(QPainter& painter, const QTransform& paperToWidget, const QRectF& visiblePaper, double devicePixelRatio);
-    /// Whether something that was drawn last is of samples.
+    /// Whether the last drawing used tiles of samples.
     [[nodiscard]] bool isCoarse() const;
-    /// Makes some of it what it should be, for about `milliseconds`. Returns the parts of the paper that look
+    /// Replaces samples by means for about `milliseconds`. Returns the parts of the paper that look
     /// different.
     QList<QRectF> refine(double milliseconds);
     /// Pictures held, in bytes.
@@ -62,7 +62,7 @@ private:
     const QImage& tile(std::size_t level, int column, int row);
     [[nodiscard]] bool isThere(std::size_t level, int column, int row) const;
     void sampleTile(std::size_t level, int column, int row);
-    /// Makes one picture that the tile is a mean of, or, where all are there, the tile: true.
+    /// Draws one missing picture that the tile is a mean of, or, if none is missing, the tile itself: then true.
     bool makeOne(std::size_t level, int column, int row);
     [[nodiscard]] QImage paintedTile(int column, int row) const;
     [[nodiscard]] QImage halvedTile(std::size_t level, int column, int row);

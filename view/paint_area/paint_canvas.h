@@ -1,5 +1,5 @@
-// What the paint area shows under rings and overlays: paper, painted map, hairs over directions, the head's shading,
-// wireframe, landmarks.
+// The picture of the paint area below rings and overlays: paper, painted map, hairs over directions, the head's
+// shading, wireframe, landmarks.
 #pragma once
 
 #include "model/project/project.h"
@@ -22,7 +22,7 @@ namespace hairpaint::view {
 class PaintCanvas
 {
 public:
-    /// How it is looked at; another look draws the upper picture anew.
+    /// How the map is viewed; a change redraws the upper picture.
     struct Look
     {
         UvTransform transform;

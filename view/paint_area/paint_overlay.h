@@ -1,4 +1,4 @@
-// What the paint area draws over the map: the brush's rings, and outlines.
+// The brush's rings and the outlines that the paint area draws over the map.
 #pragma once
 
 #include "model/tools/tool.h"

@@ -1,4 +1,4 @@
-// What the mouse and the pen do in the paint area: strokes, panning, turning, the brush's size.
+// Mouse and pen in the paint area: strokes, panning, turning, the brush's size.
 #pragma once
 
 #include "view/editing/brush_drag.h"

@@ -1,4 +1,4 @@
-// How the paint area looks at the map: where, how large, turned and mirrored.
+// The transform from the map to the paint area: position, zoom, rotation, mirroring.
 #pragma once
 
 #include <QPointF>

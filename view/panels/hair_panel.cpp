@@ -1,7 +1,7 @@
 // The hair groups and the active group's settings.
 #include "view/panels/hair_panel.h"
 
-#include "model/document/commands.h"
+#include "model/document/hair_type_command.h"
 #include "model/growth/face_hair.h"
 #include "model/project/group_schema.h"
 #include "model/project/hair_types.h"
@@ -215,15 +215,11 @@ QWidget* HairPanel::makeHairTypes(QWidget* parent)
 
 void HairPanel::setHairType(std::size_t index)
 {
-    m_state.document().endEdit();
-    const model::Id id = m_state.target().group();
-    const model::HairGroup* found = m_state.document().committed().group(id);
-    if (found == nullptr)
+    const model::HairGroup* edited = group();
+    if (edited == nullptr)
         return;
-    GroupSettings settings = found->settings;
-    model::setHairType(settings, model::hairTypes()[index]);
-    m_state.document().push(setSettingsCommand(m_state.document(), id, settings,
-                                               tr("Hair type of \"%1\"").arg(model::shownName(found->name))));
+    const QString text = tr("Hair type of \"%1\"").arg(model::shownName(edited->name));
+    m_state.document().push(model::setHairTypeCommand(m_state.document(), edited->id, model::hairTypes()[index], text));
 }
 
 QWidget* HairPanel::makeSwitch(const GroupSetting& row, QWidget* parent)

@@ -38,7 +38,7 @@ public:
     using Grown = std::optional<model::HairGroup>;
     using Grow = std::function<model::Result<Grown>(const model::HairKind& kind,
                                                     const std::shared_ptr<const model::Head>& head)>;
-    /// How groups are grown, which takes a moment: on this thread unless told otherwise.
+    /// Sets how groups are grown, which takes a moment; by default on this thread.
     void setGrow(Grow grow) { m_grow = std::move(grow); }
     /// Adds a group of that kind, ready to be painted: its Density is the map that is painted then. Brows, lashes and
     /// beards are there where they grow, as far as that is known on the head.

@@ -10,7 +10,7 @@ namespace hairpaint::view {
 
 namespace {
 
-/// Texels read along each side of a pixel's share; more would not be seen.
+/// Texels read along each side of a pixel's area; more would not be seen.
 constexpr int kTaps = 3;
 
 struct Tap

@@ -1,5 +1,5 @@
-// Styles on the head: shown while they are pointed at, put on, and asked about where they would replace more than they
-// are evidently about.
+// Previews a style while it is pointed at and applies it, after a question if it would replace groups that it is not
+// evidently about.
 #pragma once
 
 #include "model/styles/style_use.h"
@@ -22,10 +22,10 @@ class StyleFitting : public QObject
 public:
     StyleFitting(EditorState& state, StyleQuestion& question, QObject* parent);
 
-    /// To be looked at; nothing while a question is open.
+    /// Previews a style; does nothing while a question is open.
     void show(const PresetPtr& preset, model::StylePart part);
     [[nodiscard]] bool shows() const { return m_edit.active(); }
-    /// One undo step, or a question first.
+    /// Applies a style as one undo step, after a question if needed.
     void putOn(const PresetPtr& preset, model::StylePart part);
     void drop();                      ///< Drops a preview.
     void dismiss() { m_edit.drop(); } ///< A question, too, without an answer.

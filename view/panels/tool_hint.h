@@ -1,4 +1,4 @@
-// The card that tells what a tool does, in words and, where there is one, with a moving picture.
+// The card that explains a tool in words and, if there is one, with an animation.
 #pragma once
 
 #include "view/widgets/tool_demo.h"

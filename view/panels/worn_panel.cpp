@@ -7,6 +7,7 @@
 #include "view/widgets/swatch.h"
 
 #include <QColorDialog>
+#include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -22,6 +23,8 @@ namespace {
 constexpr int kSwatchesARow = 8;
 constexpr double kWornPercent = 100.0;
 constexpr double kMmPerM = 1000.0;
+constexpr double kLeastCoilMm = 10.0;
+constexpr double kGreatestCoilMm = 100.0;
 
 } // namespace
 
@@ -51,6 +54,11 @@ WornPanel::WornPanel(EditorState& state, QWidget* parent)
     row->addStretch(1);
     row->addWidget(m_colour);
     controls->addLayout(row);
+    m_make = new QComboBox(m_look);
+    m_make->setObjectName(QStringLiteral("wornMake"));
+    m_make->setAccessibleName(tr("Made of"));
+    m_make->setToolTip(tr("What it is made of"));
+    controls->addWidget(m_make);
     m_sheen = new BarSlider(tr("Sheen"), m_look);
     m_sheen->setRange(0.0, kWornPercent);
     m_sheen->setUnit(QStringLiteral("%"));
@@ -61,12 +69,37 @@ WornPanel::WornPanel(EditorState& state, QWidget* parent)
     m_radius->setExponent(2.0);
     controls->addWidget(m_radius);
 
+    m_tightness = new BarSlider(tr("Tightness"), m_look);
+    m_tightness->setRange(0.0, kWornPercent);
+    m_tightness->setUnit(QStringLiteral("%"));
+    m_tightness->setHint(tr("How taut hair lies on the head before the tie: at 0 % as loose as a coat, at 100 % on the "
+                            "skin"));
+    m_tightness->setDefaultValue(kWornPercent);
+    controls->addWidget(m_tightness);
+    m_coil = new BarSlider(tr("Bun radius"), m_look);
+    m_coil->setUnit(tr("mm"));
+    m_coil->setRange(kLeastCoilMm, kGreatestCoilMm, 1);
+    m_coil->setHint(tr("How far hair is wound about the tie"));
+    controls->addWidget(m_coil);
+
+    connect(m_make, &QComboBox::activated, this, &WornPanel::choose);
     connect(m_colour, &Swatch::clicked, this, &WornPanel::chooseColour);
     bind(*m_sheen, &model::WornSpec::lookStep,
          [](model::Worn& worn, double value) { worn.sheen = static_cast<float>(value / kWornPercent); });
     bind(*m_radius, &model::WornSpec::sizeStep, [](model::Worn& worn, double value) {
-        worn.shape.semiAxesM *= static_cast<float>(value / kMmPerM) / worn.shape.semiAxesM.x;
+        const model::WornSpec& spec = wornSpec(worn.kind);
+        const float was = worn.shape.semiAxesM[spec.sizedAxis];
+        const float now = static_cast<float>(value / kMmPerM);
+        if (spec.handles == model::WornHandles::Axes)
+            worn.shape.semiAxesM[spec.sizedAxis] = now;
+        else
+            worn.shape.semiAxesM *= now / was;
+        holdSize(worn);
     });
+    bind(*m_tightness, &model::WornSpec::lookStep,
+         [](model::Worn& worn, double value) { worn.tightness = static_cast<float>(value / kWornPercent); });
+    bind(*m_coil, &model::WornSpec::sizeStep,
+         [](model::Worn& worn, double value) { worn.coilRadiusM = static_cast<float>(value / kMmPerM); });
     connect(&state.options(), &ViewOptions::changed, this, &WornPanel::follow);
     connect(&state.document(), &model::Document::changed, this, [this](const model::Change& change) {
         using Aspect = model::Change::Aspect;
@@ -105,6 +138,20 @@ void WornPanel::bind(BarSlider& slider, Step step, const std::function<void(mode
     });
     connect(&slider, &BarSlider::editingFinished, this, [session] { session->commit(); });
     connect(&slider, &BarSlider::editingCancelled, this, [session] { session->drop(); });
+}
+
+/// What it is made of, with that one's sheen.
+void WornPanel::choose(int make)
+{
+    const model::Worn* worn = chosen();
+    if (worn == nullptr || make < 0 || worn->make == make)
+        return;
+    model::EditSession session;
+    showEdit(session, worn->id, &model::WornSpec::lookStep, [make](model::Worn& one) {
+        one.make = static_cast<std::uint8_t>(make);
+        one.sheen = wornSpec(one.kind).makes[one.make].sheen;
+    });
+    session.commit();
 }
 
 void WornPanel::chooseColour()
@@ -170,6 +217,8 @@ void WornPanel::follow()
     if (std::exchange(m_shown, now) != now) {
         m_sheen->release();
         m_radius->release();
+        m_tightness->release();
+        m_coil->release();
     }
     m_look->setVisible(worn != nullptr);
     if (worn == nullptr)
@@ -178,10 +227,29 @@ void WornPanel::follow()
     m_colour->setColour(QColor::fromRgb(worn->colour));
     m_sheen->setDefaultValue(static_cast<double>(spec.sheen) * kWornPercent);
     m_sheen->setValue(static_cast<double>(worn->sheen) * kWornPercent);
-    m_radius->setRange(static_cast<double>(spec.leastRadiusM) * kMmPerM,
-                       static_cast<double>(spec.greatestRadiusM) * kMmPerM, 1);
-    m_radius->setDefaultValue(static_cast<double>(spec.radiusM) * kMmPerM);
-    m_radius->setValue(static_cast<double>(worn->shape.semiAxesM.x) * kMmPerM);
+    const float smallest = spec.leastRadiusM;
+    m_radius->setLabel(spec.sizeTitle != nullptr ? model::wornText(spec.sizeTitle) : tr("Radius"));
+    m_radius->setRange(static_cast<double>(smallest) * kMmPerM, static_cast<double>(spec.greatestRadiusM) * kMmPerM, 1);
+    m_radius->setDefaultValue(static_cast<double>(spec.radiusM * spec.proportions[spec.sizedAxis]) * kMmPerM);
+    m_radius->setValue(static_cast<double>(worn->shape.semiAxesM[spec.sizedAxis]) * kMmPerM);
+    followMaking(*worn);
+}
+
+void WornPanel::followMaking(const model::Worn& worn)
+{
+    const model::WornSpec& spec = wornSpec(worn.kind);
+    m_make->setVisible(!spec.makes.empty());
+    if (m_make->count() != static_cast<int>(spec.makes.size())) {
+        m_make->clear();
+        for (const model::WornMake& make : spec.makes)
+            m_make->addItem(model::wornText(make.title));
+    }
+    m_make->setCurrentIndex(worn.make);
+    m_tightness->setVisible(spec.tie.has_value());
+    m_tightness->setValue(static_cast<double>(worn.tightness) * kWornPercent);
+    m_coil->setVisible(spec.coilRadiusM > 0.0F);
+    m_coil->setDefaultValue(static_cast<double>(spec.coilRadiusM) * kMmPerM);
+    m_coil->setValue(static_cast<double>(worn.coilRadiusM) * kMmPerM);
 }
 
 } // namespace hairpaint::view

@@ -9,6 +9,7 @@
 #include <functional>
 #include <vector>
 
+class QComboBox;
 class QGridLayout;
 
 namespace hairpaint::view {
@@ -31,6 +32,8 @@ private:
     /// `step`: its undo text.
     void bind(BarSlider& slider, Step step, const std::function<void(model::Worn&, double)>& set);
     void chooseColour();
+    void choose(int make);
+    void followMaking(const model::Worn& worn);
     /// Of the thing with that id.
     void showEdit(model::EditSession& session, model::Id id, Step step, const Edit& edit);
     void follow();
@@ -43,9 +46,12 @@ private:
     std::vector<model::Id> m_ids;    ///< Of those that are shown.
     QWidget* m_look;                 ///< The controls.
     Swatch* m_colour;
+    QComboBox* m_make; ///< Of a kind that is made of one thing or another.
     BarSlider* m_sheen;
     BarSlider* m_radius;
-    model::Id m_shown = 0; ///< Whose look the controls have.
+    BarSlider* m_tightness; ///< Of a tie.
+    BarSlider* m_coil;      ///< Of a bun.
+    model::Id m_shown = 0;  ///< Whose look the controls have.
     model::EditSession m_colourEdit;
 };
 

@@ -103,8 +103,9 @@ void touchBlock(const PictureHair& picture, std::size_t index, const PictureBrus
     const sim::Groom& groom = *picture.hair->groom;
     const auto nodes = static_cast<std::size_t>(groom.nodes);
     const float* node = picture.hair->positions.data() + groom.blocks().index(groom.frameStrand(block.firstSlot), 0);
-    std::vector<bool> spanMeets(picture.boxes.spans);
-    std::vector<std::array<float, 3 * kPickLanes>> seen(nodes);
+    constexpr std::uint32_t kAllLanes = (1U << kPickLanes) - 1U;
+    std::array<bool, sim::kMostNodes> spanMeets{};
+    std::array<std::array<float, 3 * kPickLanes>, sim::kMostNodes> seen; // Written where read.
     float nearestM = 1e9F;
     for (std::size_t span = 0; span < picture.boxes.spans; ++span) {
         const bool meets = picture.boxes.boxes[index * picture.boxes.spans + span].meets(brush.box);
@@ -112,16 +113,20 @@ void touchBlock(const PictureHair& picture, std::size_t index, const PictureBrus
         const std::size_t first = span * HairBoxes::kSpan;
         for (std::size_t n = first; meets && n <= std::min(first + HairBoxes::kSpan, nodes - 1); ++n) {
             picture.lens.seen(node + n * sim::StrandBlocks::kNodeStride, seen[n].data());
-            for (std::uint32_t lanes = block.lanes; lanes != 0; lanes &= lanes - 1)
-                nearestM =
-                    std::min(nearestM, seen[n][2 * kPickLanes + static_cast<std::size_t>(std::countr_zero(lanes))]);
+            const float* depths = seen[n].data() + 2 * kPickLanes;
+            if (block.lanes == kAllLanes)
+                for (std::size_t lane = 0; lane < kPickLanes; ++lane)
+                    nearestM = std::min(nearestM, depths[lane]);
+            else
+                for (std::uint32_t lanes = block.lanes; lanes != 0; lanes &= lanes - 1)
+                    nearestM = std::min(nearestM, depths[static_cast<std::size_t>(std::countr_zero(lanes))]);
         }
     }
     const float* strays = picture.boxes.strays.data() + index * kPickLanes;
     // Of the brush, with room for the curls of the block.
     const PictureBox near =
         brush.box.widened(*std::max_element(strays, strays + kPickLanes) * picture.lens.pxPerM(nearestM));
-    std::vector<std::uint32_t> meeting(nodes);
+    std::array<std::uint32_t, sim::kMostNodes> meeting{};
     std::uint32_t anywhere = 0;
     for (std::size_t n = 1; n < nodes; ++n)
         if (spanMeets[(n - 1) / HairBoxes::kSpan])
@@ -176,7 +181,10 @@ bool meetsCurve(const PictureHair& picture, std::uint32_t slot, const PictureBru
     glm::vec3 last = picture.lens.seen(points.front());
     for (std::size_t i = 1; i < points.size(); ++i) {
         const glm::vec3 next = picture.lens.seen(points[i]);
-        if (next.z > 0.0F && last.z > 0.0F &&
+        PictureBox box;
+        box.add(glm::vec2(last));
+        box.add(glm::vec2(next));
+        if (next.z > 0.0F && last.z > 0.0F && box.meets(brush.box) &&
             nearestOf(glm::vec2(last), glm::vec2(next), brush.from, brush.to).apart <= brush.radiusPx)
             return true;
         last = next;

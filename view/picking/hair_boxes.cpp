@@ -1,4 +1,4 @@
-// Projects every node of every placed block, sixteen strands at once.
+// Projects every node of every positioned block, sixteen strands at once.
 #include "view/picking/hair_boxes.h"
 
 #include "sim/base/parallel.h"
@@ -19,11 +19,11 @@ constexpr float kFrizzReach = 1.5F;
 constexpr float kBraidReach = 2.5F;
 constexpr float kSagOfSegment = 0.06F; ///< Of a skeleton's segment: the spline bulges from its chord.
 
-std::uint32_t placedLanes(const sim::GroupFrame& group, std::size_t firstSlot)
+std::uint32_t positionedLanes(const sim::GroupFrame& group, std::size_t firstSlot)
 {
     std::uint32_t lanes = 0;
     for (std::size_t lane = 0; lane < kPickLanes; ++lane)
-        lanes |= (group.places(firstSlot + lane) ? 1U : 0U) << lane;
+        lanes |= (group.isPositioned(firstSlot + lane) ? 1U : 0U) << lane;
     return lanes;
 }
 
@@ -59,7 +59,7 @@ HairBoxes::HairBoxes(const sim::GroupFrame& group, const Lens& lens)
         std::array<float, 3 * kPickLanes> seen{};
         for (std::size_t i = begin; i < end; ++i) {
             Block& block = blocks[i];
-            block.lanes = placedLanes(group, block.firstSlot);
+            block.lanes = positionedLanes(group, block.firstSlot);
             float farthestM = 0.0F;
             for (std::uint32_t lanes = block.lanes; lanes != 0; lanes &= lanes - 1) {
                 const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));

@@ -38,7 +38,7 @@ struct PictureBox
 /// How far a strand's drawn curve may stray from its skeleton.
 [[nodiscard]] float strayM(const sim::Groom& groom, std::size_t slot);
 
-/// Of every block in which hairs are placed, a box for each few segments of its skeletons, with room for the curves
+/// Of every block in which hairs are positioned, a box for each few segments of its skeletons, with room for the curves
 /// that are drawn around them. Immutable. About 3 ms to make for 100,000 hairs on one core, less on several.
 struct HairBoxes
 {
@@ -47,12 +47,12 @@ struct HairBoxes
     struct Block
     {
         std::uint32_t firstSlot = 0;
-        std::uint32_t lanes = 0; ///< Bit a lane: placed hairs.
+        std::uint32_t lanes = 0; ///< Bit a lane: positioned hairs.
     };
     std::vector<Block> blocks;
     std::size_t spans = 0;         ///< A block.
     std::vector<PictureBox> boxes; ///< [blocks][spans]
-    std::vector<float> strays;     ///< [blocks][kPickLanes] strayM() of placed hairs.
+    std::vector<float> strays;     ///< [blocks][kPickLanes] strayM() of positioned hairs.
 
     HairBoxes(const sim::GroupFrame& group, const Lens& lens);
 };

@@ -39,7 +39,7 @@ Best bestOf(const Wanted& wanted, std::size_t firstSlot, std::size_t endSlot)
     std::vector<glm::vec3> nodes(static_cast<std::size_t>(groom.nodes));
     Best best;
     for (std::size_t slot = firstSlot; slot < endSlot; ++slot) {
-        if (!wanted.group.places(slot))
+        if (!wanted.group.isPositioned(slot))
             continue;
         blocks.read(wanted.group.positions, groom.frameStrand(slot), nodes);
         glm::vec3 last = wanted.lens.seen(nodes.front());

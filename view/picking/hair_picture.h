@@ -42,7 +42,7 @@ public:
     [[nodiscard]] std::shared_ptr<const SeenHair> held() const override { return shared_from_this(); }
     [[nodiscard]] const sim::GroupFrame* hair() const override { return m_hair ? m_hair->hair : nullptr; }
 
-    /// A placed strand as it is drawn, px of the view: its first part that the skin does not hide.
+    /// A positioned strand as it is drawn, px of the view: its first part that the skin does not hide.
     [[nodiscard]] QPolygonF curve(std::uint32_t slot) const;
     [[nodiscard]] const PictureSource& source() const { return m_source; }
 

@@ -18,7 +18,7 @@ struct PictureHair
     HairBoxes boxes;
     SkinDepths skin;
 
-    /// The drawn curve of a placed hair: Wo, root first.
+    /// The drawn curve of a positioned hair: Wo, root first.
     void drawnCurve(std::uint32_t slot, std::vector<glm::vec3>& points) const;
     [[nodiscard]] sim::SurfacePoint rootOf(std::uint32_t slot) const;
     [[nodiscard]] glm::vec3 inHead(glm::vec3 positionWo) const

@@ -1,4 +1,4 @@
-// What draws head and hair: one small interface, whatever stands behind it.
+// The interface of the renderers of head and hair.
 #pragma once
 
 #include "view/rendering/scene.h"
@@ -23,7 +23,7 @@ struct Quality
 struct FrameStatistics
 {
     std::size_t drawnHairs = 0;
-    float detail = 1.0F; ///< Hairs whose StrandStyle::detail is below were asked for, placed by the frame or not.
+    float detail = 1.0F; ///< Hairs whose StrandStyle::detail is below were asked for, positioned by the frame or not.
     std::size_t drawnSegments = 0;
     std::size_t uploadedBytes = 0;
     double milliseconds = 0.0; ///< What a frame takes: see Backend::statistics().
@@ -31,7 +31,7 @@ struct FrameStatistics
     bool complete = true;      ///< False where a part was given up, as when memory is short.
 };
 
-/// What a backend can do beyond what every one does.
+/// The optional abilities of a backend.
 struct Capabilities
 {
     bool graphicsCard = false; ///< Draws on one; else on the processor, be it by a driver of OpenGL's.

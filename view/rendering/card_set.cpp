@@ -19,7 +19,7 @@ glm::vec3 alongV(const CardCorner& a, const CardCorner& b, const CardCorner& c)
     const glm::vec2 first = b.uv - a.uv;
     const glm::vec2 second = c.uv - a.uv;
     const float area = first.x * second.y - first.y * second.x;
-    const glm::vec3 along = (c.placeHd - a.placeHd) * first.x - (b.placeHd - a.placeHd) * second.x;
+    const glm::vec3 along = (c.positionHd - a.positionHd) * first.x - (b.positionHd - a.positionHd) * second.x;
     return area < 0.0F ? -along : area > 0.0F ? along : glm::vec3(0.0F);
 }
 

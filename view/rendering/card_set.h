@@ -11,7 +11,7 @@ namespace hairpaint::rendering {
 /// The light on a card is that on a hair which lies along it there.
 struct CardCorner
 {
-    glm::vec3 placeHd{0.0F};
+    glm::vec3 positionHd{0.0F};
     glm::vec3 normalHd{0.0F, 0.0F, 1.0F};   ///< Unit, outward.
     glm::vec3 tangentHd{0.0F, -1.0F, 0.0F}; ///< Unit, toward the hairs' tips.
     glm::vec3 colour{0.2F};                 ///< Of the hair around; linear.

@@ -1,4 +1,4 @@
-// How fine the next frame is drawn.
+// Chooses the level of detail of the next frame.
 #pragma once
 
 #include "view/rendering/backend.h"

@@ -49,13 +49,13 @@ struct Extent
 };
 
 /// The x of sixteen strands' node. A slot of nothing but zeros is no hair's, and gets no number.
-Extent::Row placedX(const float* x, const float* y, const float* z)
+Extent::Row positionedX(const float* x, const float* y, const float* z)
 {
-    Extent::Row placed;
+    Extent::Row positioned;
     for (std::size_t i = 0; i < sim::kLanes; ++i)
-        placed[i] =
+        positioned[i] =
             std::abs(x[i]) + std::abs(y[i]) + std::abs(z[i]) > 0.0F ? x[i] : std::numeric_limits<float>::quiet_NaN();
-    return placed;
+    return positioned;
 }
 
 constexpr std::size_t kBlocksLookedAt = 128;
@@ -70,20 +70,20 @@ std::array<Box, 2> hairBounds(const sim::StrandFrame& frame, const std::array<gl
         const auto nodes = static_cast<std::size_t>(group.groom->nodes);
         const sim::StrandBlocks layout = group.groom->blocks();
         std::size_t blocks = 0;
-        group.forEachPlacedBlock([&](std::size_t) { ++blocks; });
+        group.forEachPositionedBlock([&](std::size_t) { ++blocks; });
         const std::size_t step = std::max<std::size_t>(1, blocks / kBlocksLookedAt);
         std::size_t number = 0;
-        group.forEachPlacedBlock([&](std::size_t block) {
+        group.forEachPositionedBlock([&](std::size_t block) {
             if (number++ % step != 0)
                 return;
             for (std::size_t node = 0; node < nodes; ++node) {
                 const float* x = group.positions.data() + layout.index(block * sim::kLanes, node);
                 const float* y = x + sim::StrandBlocks::kAxisStride;
                 const float* z = y + sim::StrandBlocks::kAxisStride;
-                const Extent::Row placed = placedX(x, y, z);
+                const Extent::Row positioned = positionedX(x, y, z);
                 for (std::size_t grid = 0; grid < extents.size(); ++grid)
                     for (int axis = 0; axis < 3; ++axis)
-                        extents[grid][static_cast<std::size_t>(axis)].add(placed, y, z,
+                        extents[grid][static_cast<std::size_t>(axis)].add(positioned, y, z,
                                                                           glm::row(gridAxesFromWo[grid], axis));
             }
         });

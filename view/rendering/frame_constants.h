@@ -1,4 +1,4 @@
-// What every shader knows about the frame, laid out as common.glsl has it, and how it is derived from the scene.
+// The constants of a frame for every shader, laid out as in common.glsl, and how they follow from the scene.
 #pragma once
 
 #include "view/rendering/scene.h"

@@ -241,7 +241,7 @@ void DirectionBall::paintEvent(QPaintEvent* /*event*/)
         painter.drawEllipse(middle, radius * fraction, radius);
         painter.drawEllipse(middle, radius, radius * fraction);
     }
-    // A head's outline tells which way is front.
+    // A head's outline tells where the front is.
     painter.setPen(QPen(mixed(theme.raised, ink, 0.7), 1.5));
     painter.setBrush(mixed(theme.raised, theme.panel, 0.6));
     painter.drawEllipse(middle, radius * 0.20, radius * 0.26);

@@ -50,7 +50,7 @@ void FieldHint::showAt(QWidget& field, const QString& sentence, Tone tone)
     hint->setText(sentence);
     hint->setProperty("problem", tone == Tone::Problem);
     repolishHint(*hint);
-    hint->place();
+    hint->reposition();
     hint->show();
     // Not before the press or the key that made it appear is over.
     QMetaObject::invokeMethod(
@@ -73,7 +73,7 @@ QString FieldHint::textAt(const QWidget& field)
     return hint != nullptr && hint->isVisible() ? hint->text() : QString();
 }
 
-void FieldHint::place()
+void FieldHint::reposition()
 {
     const QWidget& field = *parentWidget();
     setFixedWidth(std::clamp(field.width(), kNarrowestHint, kWidestHint));

@@ -26,7 +26,7 @@ protected:
 
 private:
     explicit FieldHint(QWidget& field);
-    void place();
+    void reposition();
     [[nodiscard]] static FieldHint* of(const QWidget& field);
 };
 

@@ -15,7 +15,7 @@ namespace hairpaint::view {
 namespace {
 
 constexpr int kPlayMs = 2600;
-constexpr double kStrokeShare = 0.75; ///< Of the time; the rest shows what has come of it.
+constexpr double kStrokeFraction = 0.75; ///< Of the time; the rest shows what has come of it.
 constexpr int kColumns = 15;
 constexpr int kRows = 3;
 constexpr double kHairPx = 17.0;
@@ -86,6 +86,11 @@ DemoHair hairOf(model::ToolId tool, const Moment& moment, int column, int row, Q
         const QPointF tip = root + QPointF(0.0, -kHairPx) + (pointer - taken) * held;
         return {.angle = std::atan2(tip.y() - root.y(), tip.x() - root.x())};
     }
+    case model::ToolId::Fingers: {
+        constexpr double kLying = -0.3;
+        constexpr double kPuffed = -1.1;
+        return {.angle = mixed(kLying, kPuffed, (pointer.x() - root.x()) / kRingPx)};
+    }
     case model::ToolId::Scissors: {
         constexpr double kCut = 0.5;
         return {.lengthPx = pointer.x() > root.x() ? kHairPx * kCut : kHairPx};
@@ -114,8 +119,8 @@ ToolDemo::ToolDemo(QWidget* parent) : QWidget(parent)
 bool ToolDemo::shows(model::ToolId tool)
 {
     using model::ToolId;
-    return tool == ToolId::Comb || tool == ToolId::Part || tool == ToolId::Grab || tool == ToolId::Scissors ||
-           tool == ToolId::Gradient;
+    return tool == ToolId::Comb || tool == ToolId::Part || tool == ToolId::Grab || tool == ToolId::Fingers ||
+           tool == ToolId::Scissors || tool == ToolId::Gradient;
 }
 
 void ToolDemo::setTool(model::ToolId tool)
@@ -148,7 +153,7 @@ void ToolDemo::paintEvent(QPaintEvent* /*event*/)
     painter.setClipRect(rect());
 
     const QRectF area = QRectF(rect()).adjusted(14.0, kHairPx + 6.0, -14.0, -8.0);
-    const Moment moment{area, std::clamp(m_play.currentValue().toDouble() / kStrokeShare, 0.0, 1.0)};
+    const Moment moment{area, std::clamp(m_play.currentValue().toDouble() / kStrokeFraction, 0.0, 1.0)};
     painter.setPen(QPen(theme.text, 1.6, Qt::SolidLine, Qt::RoundCap));
     for (int row = 0; row < kRows; ++row)
         for (int column = 0; column < kColumns; ++column) {

@@ -20,9 +20,11 @@ AreaMenu::AreaMenu(const ActionSet& actions, QWidget* parent) : QMenu(parent)
         else
             addAction(actions.find(QLatin1StringView(id)));
     }
+    QMenu* worn = addMenu(tr("Tie and put on"));
+    worn->setToolTipsVisible(true);
     for (const model::WornSpec& spec : model::wornSpecs())
-        for (const char* verb : {"hair.add", "hair.remove"})
-            addAction(actions.find(QLatin1StringView(QByteArray(verb) + spec.action)));
+        worn->addAction(actions.find(QLatin1StringView(QByteArray("hair.add") + spec.action)));
+    addAction(actions.find(QLatin1StringView("hair.removeWorn")));
 }
 
 } // namespace hairpaint::app

@@ -97,27 +97,33 @@ void HairMenu::addSimulation(ActionSet& actions, Session& session)
 
 void HairMenu::addWorn(ActionSet& actions, Session& session, view::HeadView& head)
 {
+    QMenu* menu = addMenu(tr("&Tie and put on"));
+    menu->setToolTipsVisible(true);
     for (const model::WornSpec& spec : model::wornSpecs()) {
-        const QByteArray addId = QByteArray("hair.add") + spec.action;
-        actions.add(*this, {{.id = addId,
+        const QByteArray id = QByteArray("hair.add") + spec.action;
+        actions.add(*menu, {{.id = id,
                              .text = model::wornText(spec.addTitle),
                              .run = [&head, kind = spec.kind] { head.addWorn(kind); },
                              .enabled =
                                  [&session, &spec] {
                                      const model::Project& project = session.document().project();
                                      return project.head && countOf(project.worn, spec.kind) < spec.limit;
-                                 }},
-                            {.id = QByteArray("hair.remove") + spec.action,
-                             .text = model::wornText(spec.removeTitle),
-                             .run = [&head] { head.removeWorn(); },
-                             .enabled =
-                                 [&session, kind = spec.kind] {
-                                     const model::Worn* chosen = session.document().project().wornThing(
-                                         session.editor().options().chosenWorn());
-                                     return chosen != nullptr && chosen->kind == kind;
                                  }}});
-        actions.find(QLatin1StringView(addId))->setToolTip(model::wornText(spec.addHint).arg(spec.limit));
+        actions.find(QLatin1StringView(id))->setToolTip(model::wornText(spec.addHint).arg(spec.limit));
     }
+    const auto chosen = [&session]() -> const model::Worn* {
+        return session.document().project().wornThing(session.editor().options().chosenWorn());
+    };
+    actions.add(*this, {{.id = "hair.removeWorn",
+                         .text = tr("Take o&ff what is chosen"),
+                         .run = [&head] { head.removeWorn(); },
+                         .enabled = [chosen] { return chosen() != nullptr; },
+                         .label =
+                             [chosen] {
+                                 const model::Worn* worn = chosen();
+                                 return worn != nullptr ? model::wornText(wornSpec(worn->kind).removeTitle)
+                                                        : tr("Take o&ff what is chosen");
+                             }}});
 }
 
 void HairMenu::addCuts(ActionSet& actions, Session& session, WindowDialogs& dialogs, Exchange& exchange)

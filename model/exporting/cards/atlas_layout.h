@@ -1,4 +1,4 @@
-// Where each card's picture lies in the atlas.
+// The layout of the cards' pictures in the atlas.
 #pragma once
 
 #include <cstdint>
@@ -23,12 +23,12 @@ struct PatchWish
     float heightM = 0.0F;
 };
 
-/// A patch a wish, in their order, in shelves of patches of about one height that are stretched to fill a square of
-/// `sizePx`: patches are disjoint, `borderPx` of nothing is around each. Texels are about twice as long as wide, since
-/// hair varies least along itself; longer where patches would be too narrow. At most 40,000 wishes.
+/// One patch for each wish, in the same order, in shelves of patches of about one height that are stretched to fill a
+/// square of `sizePx`: patches are disjoint, `borderPx` of nothing is around each. Texels are about twice as long as
+/// wide, since hair varies least along itself; longer where patches would be too narrow. At most 40,000 wishes.
 [[nodiscard]] std::vector<AtlasPatch> packedAtlas(std::span<const PatchWish> wishes, int sizePx);
 
-/// Of the atlas' area, 0..1.
+/// The fraction of the atlas that patches cover, 0..1.
 [[nodiscard]] float filledPart(std::span<const AtlasPatch> patches, int sizePx);
 
 } // namespace hairpaint::model

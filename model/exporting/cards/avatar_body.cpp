@@ -13,9 +13,9 @@ namespace hairpaint::model {
 namespace {
 
 /// The quarter turn that has the left arm at +x. It is exact, so that a body that stands right stays bit for bit.
-glm::quat turnToFront(const Avatar& avatar, const std::vector<JointPlace>& places)
+glm::quat turnToFront(const Avatar& avatar, const std::vector<JointPose>& poses)
 {
-    const auto at = [&](HumanBone bone) { return places[static_cast<std::size_t>(avatar.bones[bone])].position; };
+    const auto at = [&](HumanBone bone) { return poses[static_cast<std::size_t>(avatar.bones[bone])].position; };
     const glm::vec3 left = at(HumanBone::LeftUpperArm) - at(HumanBone::RightUpperArm) + at(HumanBone::LeftUpperLeg) -
                            at(HumanBone::RightUpperLeg);
     const float half = std::sqrt(0.5F);
@@ -36,22 +36,22 @@ glm::quat turnBetween(const glm::vec3& from, const glm::vec3& to)
 }
 
 /// A joint and all that hang from it.
-void turnAbout(const HeadSkeleton& skeleton, int joint, const glm::quat& turn, std::vector<JointPlace>& places)
+void turnAbout(const HeadSkeleton& skeleton, int joint, const glm::quat& turn, std::vector<JointPose>& poses)
 {
     const auto first = static_cast<std::size_t>(joint);
-    const glm::vec3 pivot = places[first].position;
-    std::vector<bool> isBelow(places.size());
-    for (std::size_t i = first; i < places.size(); ++i) { // Parents come before their children.
+    const glm::vec3 pivot = poses[first].position;
+    std::vector<bool> isBelow(poses.size());
+    for (std::size_t i = first; i < poses.size(); ++i) { // Parents come before their children.
         const int parent = skeleton.joints[i].parent;
         isBelow[i] = i == first || (parent >= 0 && isBelow[static_cast<std::size_t>(parent)]);
         if (!isBelow[i])
             continue;
-        places[i] = {.position = pivot + turn * (places[i].position - pivot),
-                     .rotation = glm::normalize(turn * places[i].rotation)};
+        poses[i] = {.position = pivot + turn * (poses[i].position - pivot),
+                    .rotation = glm::normalize(turn * poses[i].rotation)};
     }
 }
 
-void holdArmsOut(const Avatar& avatar, std::vector<JointPlace>& places)
+void holdArmsOut(const Avatar& avatar, std::vector<JointPose>& poses)
 {
     using enum HumanBone;
     constexpr glm::vec3 kLeft(1.0F, 0.0F, 0.0F);
@@ -59,9 +59,9 @@ void holdArmsOut(const Avatar& avatar, std::vector<JointPlace>& places)
                                                   std::tuple{RightUpperArm, RightLowerArm, RightHand, -kLeft}})
         for (const auto& [from, to] : {std::pair{upper, lower}, std::pair{lower, hand}}) {
             const int joint = avatar.bones[from];
-            const glm::vec3 along = places[static_cast<std::size_t>(avatar.bones[to])].position -
-                                    places[static_cast<std::size_t>(joint)].position;
-            turnAbout(avatar.skeleton, joint, turnBetween(along, out), places);
+            const glm::vec3 along = poses[static_cast<std::size_t>(avatar.bones[to])].position -
+                                    poses[static_cast<std::size_t>(joint)].position;
+            turnAbout(avatar.skeleton, joint, turnBetween(along, out), poses);
         }
 }
 
@@ -69,21 +69,21 @@ void holdArmsOut(const Avatar& avatar, std::vector<JointPlace>& places)
 
 AvatarBody avatarBody(const Avatar& avatar)
 {
-    std::vector<JointPlace> bound = placesOf(avatar.skeleton);
-    AvatarBody body{.turn = turnToFront(avatar, bound), .places = {}, .mesh = {}};
-    for (JointPlace& place : bound)
-        place = {.position = body.turn * place.position, .rotation = glm::normalize(body.turn * place.rotation)};
-    body.places = bound;
-    holdArmsOut(avatar, body.places);
+    std::vector<JointPose> bound = posesOf(avatar.skeleton);
+    AvatarBody body{.turn = turnToFront(avatar, bound), .poses = {}, .mesh = {}};
+    for (JointPose& pose : bound)
+        pose = {.position = body.turn * pose.position, .rotation = glm::normalize(body.turn * pose.rotation)};
+    body.poses = bound;
+    holdArmsOut(avatar, body.poses);
 
     bool isMoved = false;
-    std::vector<JointPlace> moved; // From where a joint was bound.
+    std::vector<JointPose> moved; // From where a joint was bound.
     moved.reserve(bound.size());
     for (std::size_t i = 0; i < bound.size(); ++i) {
-        const JointPlace& place = body.places[i];
-        isMoved = isMoved || place.position != bound[i].position || place.rotation != bound[i].rotation;
-        const glm::quat turn = glm::normalize(place.rotation * glm::conjugate(bound[i].rotation));
-        moved.push_back({.position = place.position - turn * bound[i].position, .rotation = turn});
+        const JointPose& pose = body.poses[i];
+        isMoved = isMoved || pose.position != bound[i].position || pose.rotation != bound[i].rotation;
+        const glm::quat turn = glm::normalize(pose.rotation * glm::conjugate(bound[i].rotation));
+        moved.push_back({.position = pose.position - turn * bound[i].position, .rotation = turn});
     }
     const sim::HeadMesh& mesh = avatar.skin->mesh();
     body.mesh = plainHead(mesh);
@@ -99,7 +99,7 @@ AvatarBody avatarBody(const Avatar& avatar)
         glm::vec3 blended(0.0F);
         glm::vec3 blendedNormal(0.0F);
         for (int b = 0; b < 4; ++b) {
-            const JointPlace& by = moved[bones.joints.at(static_cast<std::size_t>(b))];
+            const JointPose& by = moved[bones.joints.at(static_cast<std::size_t>(b))];
             blended += bones.weights[b] * (by.position + by.rotation * position);
             blendedNormal += bones.weights[b] * (by.rotation * normal);
         }

@@ -10,9 +10,9 @@ namespace hairpaint::model {
 
 struct AvatarBody
 {
-    glm::quat turn{1, 0, 0, 0};     ///< From Hd, about y.
-    std::vector<JointPlace> places; ///< Of the skeleton's joints.
-    PlacedHead mesh;
+    glm::quat turn{1, 0, 0, 0};   ///< From Hd, about y.
+    std::vector<JointPose> poses; ///< Of the skeleton's joints.
+    PosedMesh mesh;
 };
 
 [[nodiscard]] AvatarBody avatarBody(const Avatar& avatar);

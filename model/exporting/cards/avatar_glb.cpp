@@ -20,14 +20,14 @@ QJsonObject metaOf(const Avatar& avatar)
 AvatarGlb avatarGlb(const Avatar& avatar, const AvatarBody& body, int firstNode)
 {
     HeadSkeleton skeleton{.joints = avatar.skeleton.joints, .weights = {}};
-    setPlaces(skeleton, body.places);
+    setPoses(skeleton, body.poses);
     AvatarGlb made{.nodes = nodesOf(skeleton, firstNode),
                    .joints = jointNumbers(skeleton, firstNode),
                    .inverseBind = {},
                    .vrm = {},
                    .headNode = firstNode + avatar.bones[HumanBone::Head]};
-    for (const JointPlace& place : body.places)
-        made.inverseBind.push_back(inverseBind(place));
+    for (const JointPose& pose : body.poses)
+        made.inverseBind.push_back(inverseBind(pose));
     QJsonObject bones;
     for (std::size_t i = 0; i < kHumanBoneCount; ++i) {
         const auto bone = static_cast<HumanBone>(i);

@@ -26,7 +26,7 @@ QJsonObject springJoint(int node, const sim::PhysicsSettings& physics)
 }
 
 /// An ellipsoid becomes the capsule along its longest axis.
-void addColliders(const BoneRoot& root, const JointPlace& head, std::span<const sim::Ellipsoid> colliders,
+void addColliders(const BoneRoot& root, const JointPose& head, std::span<const sim::Ellipsoid> colliders,
                   QJsonObject& springBone)
 {
     QJsonArray shapes;
@@ -37,9 +37,9 @@ void addColliders(const BoneRoot& root, const JointPlace& head, std::span<const 
         const float radius = 0.5F * (axes[(longest + 1) % 3] + axes[(longest + 2) % 3]);
         glm::vec3 half(0.0F);
         half[longest] = std::max(axes[longest] - radius, 0.0F);
-        const glm::quat back = glm::conjugate(root.place.rotation);
+        const glm::quat back = glm::conjugate(root.pose.rotation);
         half = back * (head.rotation * (ellipsoid.rotation * half));
-        const glm::vec3 centre = back * (head.rotation * ellipsoid.centreHd + head.position - root.place.position);
+        const glm::vec3 centre = back * (head.rotation * ellipsoid.centreHd + head.position - root.pose.position);
         const QJsonObject capsule{{QStringLiteral("offset"), jsonNumbers(centre - half)},
                                   {QStringLiteral("radius"), static_cast<double>(radius)},
                                   {QStringLiteral("tail"), jsonNumbers(centre + half)}};
@@ -56,11 +56,11 @@ void addColliders(const BoneRoot& root, const JointPlace& head, std::span<const 
 } // namespace
 
 BoneGlb boneGlb(const CurveSet& curves, const std::vector<BoneChain>& chains, std::span<const sim::Ellipsoid> colliders,
-                const JointPlace& head, const BoneRoot& root, int firstNode)
+                const JointPose& head, const BoneRoot& root, int firstNode)
 {
     BoneGlb made{
-        .nodes = {}, .below = {}, .joints = {root.node}, .inverseBind = {inverseBind(root.place)}, .springBone = {}};
-    const glm::quat back = glm::conjugate(root.place.rotation);
+        .nodes = {}, .below = {}, .joints = {root.node}, .inverseBind = {inverseBind(root.pose)}, .springBone = {}};
+    const glm::quat back = glm::conjugate(root.pose.rotation);
     QJsonArray springs;
     for (std::size_t chain = 0; chain < chains.size(); ++chain) {
         const BoneChain& own = chains[chain];
@@ -68,7 +68,7 @@ BoneGlb boneGlb(const CurveSet& curves, const std::vector<BoneChain>& chains, st
         QJsonArray links;
         for (std::size_t j = 0; j < BoneChain::kJoints; ++j) {
             const int node = firstNode + static_cast<int>(BoneChain::kJoints * chain + j);
-            const glm::vec3 parent = j > 0 ? own.jointsWo.at(j - 1) : root.place.position;
+            const glm::vec3 parent = j > 0 ? own.jointsWo.at(j - 1) : root.pose.position;
             QJsonObject joint{{QStringLiteral("name"), QStringLiteral("%1.%2").arg(name).arg(j + 1)},
                               {QStringLiteral("translation"), jsonNumbers(back * (own.jointsWo.at(j) - parent))}};
             if (j + 1 < BoneChain::kJoints)
@@ -76,7 +76,7 @@ BoneGlb boneGlb(const CurveSet& curves, const std::vector<BoneChain>& chains, st
             made.nodes.append(joint);
             made.joints.append(node);
             links.append(springJoint(node, curves.physics(own.group)));
-            made.inverseBind.push_back(inverseBind({.position = own.jointsWo.at(j), .rotation = root.place.rotation}));
+            made.inverseBind.push_back(inverseBind({.position = own.jointsWo.at(j), .rotation = root.pose.rotation}));
             if (j == 0)
                 made.below.append(node);
         }

@@ -17,7 +17,7 @@ namespace hairpaint::model {
 struct BoneRoot
 {
     int node = 0; ///< Index of its node.
-    JointPlace place;
+    JointPose pose;
 };
 
 struct BoneGlb
@@ -31,7 +31,7 @@ struct BoneGlb
 
 /// Joints of the chains; `chains` where they stand in the file. `colliders`: Hd; `head`: where that is in the file.
 [[nodiscard]] BoneGlb boneGlb(const CurveSet& curves, const std::vector<BoneChain>& chains,
-                              std::span<const sim::Ellipsoid> colliders, const JointPlace& head, const BoneRoot& root,
+                              std::span<const sim::Ellipsoid> colliders, const JointPose& head, const BoneRoot& root,
                               int firstNode);
 
 } // namespace hairpaint::model

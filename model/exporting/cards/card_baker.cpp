@@ -150,9 +150,9 @@ LineCount linesOn(const ScalpCap& cap, const SampledHair& hair, const glm::vec2&
     double lengthPx = 0.0;
     for (const std::uint32_t i : cap.hairs) {
         areaM2 += static_cast<double>(hair.lengthM[i]) * static_cast<double>(hair.widthM[i]);
-        const auto places = hair.places(i);
+        const auto samples = hair.samples(i);
         lengthPx +=
-            static_cast<double>(glm::length((cap.flat(places.back()) - cap.flat(places.front())) / metresPerTexel));
+            static_cast<double>(glm::length((cap.flat(samples.back()) - cap.flat(samples.front())) / metresPerTexel));
     }
     const auto hairs = static_cast<double>(cap.hairs.size());
     const double lengthEach = lengthPx / hairs;
@@ -180,10 +180,10 @@ std::vector<std::pair<std::uint64_t, std::uint32_t>> chosenOf(const CurveSet& se
 }
 
 /// Where a curve's points lie on a patch: made anew for each curve, called with each of its points, root first.
-template<typename PlaceOf>
+template<typename Project>
 void drawHairs(const CurveSet& set, const SampledHair& hair, const HairField& field,
                std::span<const std::uint32_t> hairs, const LineCount& lines, const glm::vec2& metresPerTexel,
-               const PlaceOf& placeOf, PatchPainter& painter)
+               const Project& project, PatchPainter& painter)
 {
     CurveScratch scratch;
     std::vector<LinePoint> points;
@@ -195,14 +195,14 @@ void drawHairs(const CurveSet& set, const SampledHair& hair, const HairField& fi
         // Where hair thins out toward its tip, so many lines end.
         const float rootOpacity = set.opacity(curve, 0.0F);
         const float endsBelow = rootOpacity * (static_cast<float>(k) + 0.5F) / static_cast<float>(chosen.size());
-        auto place = placeOf();
+        auto toLine = project();
         points.clear();
         points.reserve(own.size());
         for (std::uint32_t p = 0; p < own.size(); ++p) {
             const float fraction = set.fraction(curve, p);
             if (p > 1 && set.opacity(curve, fraction) < endsBelow)
                 break;
-            LinePoint point = place(own[p]);
+            LinePoint point = toLine(own[p]);
             point.fraction = fraction;
             point.openness = std::sqrt(field.openness(own[p]));
             point.colour = shownColour(set, curve, fraction);
@@ -226,15 +226,15 @@ void bakeCard(const CurveSet& set, const SampledHair& hair, const HairField& fie
 {
     PatchPainter painter(patch, images, 0.5F * strip.greatestWidthM());
     const glm::vec2 sizePx(patch.width, patch.height);
-    const auto placeOf = [&] {
+    const auto project = [&] {
         return [&, projector = StripProjector(strip)](const glm::vec3& pointWo) mutable {
-            const StripPlace place = projector.next(pointWo);
-            return LinePoint{.tx = sizePx * glm::vec2(0.5F + 0.5F * place.across, place.alongM / strip.lengthM()),
-                             .heightM = place.heightM};
+            const StripPoint point = projector.next(pointWo);
+            return LinePoint{.tx = sizePx * glm::vec2(0.5F + 0.5F * point.across, point.alongM / strip.lengthM()),
+                             .heightM = point.heightM};
         };
     };
     const glm::vec2 metresPerTexel = glm::vec2(strip.areaM2() / strip.lengthM(), strip.lengthM()) / sizePx;
-    drawHairs(set, hair, field, strip.hairs, linesFor(hair, strip, patch), metresPerTexel, placeOf, painter);
+    drawHairs(set, hair, field, strip.hairs, linesFor(hair, strip, patch), metresPerTexel, project, painter);
 }
 
 void bakeCap(const CurveSet& set, const SampledHair& hair, const HairField& field, const ScalpCap& cap,
@@ -242,14 +242,14 @@ void bakeCap(const CurveSet& set, const SampledHair& hair, const HairField& fiel
 {
     PatchPainter painter(patch, images, kShortestOnStripsM);
     const glm::vec2 sizePx(patch.width, patch.height);
-    const auto placeOf = [&] {
+    const auto project = [&] {
         return [&](const glm::vec3& pointWo) {
             return LinePoint{.tx = sizePx * cap.uv(cap.flat(pointWo)),
                              .heightM = glm::distance(pointWo, cap.middleWo) - cap.radiusM};
         };
     };
     const glm::vec2 metresPerTexel = (cap.greatestM - cap.leastM) / sizePx;
-    drawHairs(set, hair, field, cap.hairs, linesOn(cap, hair, metresPerTexel), metresPerTexel, placeOf, painter);
+    drawHairs(set, hair, field, cap.hairs, linesOn(cap, hair, metresPerTexel), metresPerTexel, project, painter);
 }
 
 } // namespace hairpaint::model

@@ -14,12 +14,12 @@ BoneChain chainAlong(const HairLock& lock, std::size_t group)
 {
     BoneChain chain{.jointsWo = {}, .group = group};
     for (std::size_t j = 0; j < BoneChain::kJoints; ++j)
-        chain.jointsWo.at(j) = lock.meanWo.at(j * (SampledHair::kPlaces - 1) / (BoneChain::kJoints - 1));
+        chain.jointsWo.at(j) = lock.meanWo.at(j * (SampledHair::kSamples - 1) / (BoneChain::kJoints - 1));
     return chain;
 }
 
 /// How many joints of the chain lie before the point, with a fraction.
-float jointsBefore(const BoneChain& chain, const glm::vec3& placeWo)
+float jointsBefore(const BoneChain& chain, const glm::vec3& positionWo)
 {
     float least = 0.0F;
     float found = 0.0F;
@@ -27,8 +27,8 @@ float jointsBefore(const BoneChain& chain, const glm::vec3& placeWo)
         const glm::vec3& from = chain.jointsWo.at(j);
         const glm::vec3 along = chain.jointsWo.at(j + 1) - from;
         const float square = glm::dot(along, along);
-        const float part = square > 0.0F ? glm::clamp(glm::dot(placeWo - from, along) / square, 0.0F, 1.0F) : 0.0F;
-        const float away = glm::distance(placeWo, from + part * along);
+        const float part = square > 0.0F ? glm::clamp(glm::dot(positionWo - from, along) / square, 0.0F, 1.0F) : 0.0F;
+        const float away = glm::distance(positionWo, from + part * along);
         if (j == 0 || away < least) {
             least = away;
             found = static_cast<float>(j) + part;
@@ -50,9 +50,9 @@ std::size_t CardBones::chainFor(const CardStrip& strip) const
     return *middle;
 }
 
-BoneWeights CardBones::weightsAt(std::size_t chain, const glm::vec3& placeWo) const
+BoneWeights CardBones::weightsAt(std::size_t chain, const glm::vec3& positionWo) const
 {
-    const float before = jointsBefore(chains[chain], placeWo);
+    const float before = jointsBefore(chains[chain], positionWo);
     const auto whole = static_cast<std::size_t>(before);
     const float part = before - static_cast<float>(whole);
     // A joint turns what comes after it, wholly from the next joint on.
@@ -63,7 +63,7 @@ BoneWeights CardBones::weightsAt(std::size_t chain, const glm::vec3& placeWo) co
     return {.joints = {jointAt(whole), next, 0, 0}, .weights = {1.0F - part, part, 0.0F, 0.0F}};
 }
 
-std::vector<BoneChain> placedChains(std::vector<BoneChain> chains, const JointPlace& frame)
+std::vector<BoneChain> movedChains(std::vector<BoneChain> chains, const JointPose& frame)
 {
     for (BoneChain& chain : chains)
         for (glm::vec3& joint : chain.jointsWo)

@@ -26,12 +26,12 @@ struct CardBones
     [[nodiscard]] std::size_t jointCount() const { return 1 + BoneChain::kJoints * chains.size(); }
     /// The chain that most of a strip's hairs belong to.
     [[nodiscard]] std::size_t chainFor(const CardStrip& strip) const;
-    /// Of what moves with a chain. At the root it stays with the head.
-    [[nodiscard]] BoneWeights weightsAt(std::size_t chain, const glm::vec3& placeWo) const;
+    /// Weights of a vertex that follows a chain; at its root it follows the head.
+    [[nodiscard]] BoneWeights weightsAt(std::size_t chain, const glm::vec3& positionWo) const;
 };
 
-/// Those chains seen from where a frame stands.
-[[nodiscard]] std::vector<BoneChain> placedChains(std::vector<BoneChain> chains, const JointPlace& frame);
+/// The chains in the coordinates of `frame`.
+[[nodiscard]] std::vector<BoneChain> movedChains(std::vector<BoneChain> chains, const JointPose& frame);
 
 /// Some two dozen chains or fewer for all hair. `sets`: hairs by group.
 [[nodiscard]] CardBones bonesFor(const SampledHair& hair, std::vector<std::vector<std::uint32_t>> sets);

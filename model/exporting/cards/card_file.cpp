@@ -14,15 +14,15 @@
 
 namespace hairpaint::model {
 
-QStringList cardImagePlaces(const QString& path)
+QStringList cardImagePaths(const QString& path)
 {
     const QFileInfo file(path);
-    QStringList places;
+    QStringList paths;
     for (const CardImageKind& kind : cardImageKinds())
         if (!kind.embedded)
-            places += file.dir().filePath(file.completeBaseName() + QLatin1Char('-') + QLatin1StringView(kind.name) +
-                                          QLatin1String(".png"));
-    return places;
+            paths += file.dir().filePath(file.completeBaseName() + QLatin1Char('-') + QLatin1StringView(kind.name) +
+                                         QLatin1String(".png"));
+    return paths;
 }
 
 Result<void> writeCardFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
@@ -30,12 +30,12 @@ Result<void> writeCardFile(const CurveSet& curves, const ExportSettings& setting
 {
     constexpr double kMade = 0.7;     // Of all work.
     constexpr double kPictured = 0.9; // PNG files are there.
-    QStringList places{path};
+    QStringList paths{path};
     if (!curves.curves().empty())
-        places += cardImagePlaces(path);
-    for (const QString& place : places)
-        if (const Checked<void> writable = checkWritable(place); !writable)
-            return cannotWrite(place, writable.error());
+        paths += cardImagePaths(path);
+    for (const QString& target : paths)
+        if (const Checked<void> writable = checkWritable(target); !writable)
+            return cannotWrite(target, writable.error());
     StagedFiles staged(QFileInfo(path).path());
     if (Result<void> ready = staged.check(path); !ready)
         return ready;
@@ -56,13 +56,13 @@ Result<void> writeCardFile(const CurveSet& curves, const ExportSettings& setting
     for (std::size_t i = 0; i < pngs.size(); ++i)
         if (!cardImageKinds()[i].embedded)
             files.push_back(std::move(pngs[i]));
-    for (qsizetype i = 0; i < places.size(); ++i)
-        if (const Checked<void> written = writeFile(staged.pathFor(places[i]), files[static_cast<std::size_t>(i)]);
+    for (qsizetype i = 0; i < paths.size(); ++i)
+        if (const Checked<void> written = writeFile(staged.pathFor(paths[i]), files[static_cast<std::size_t>(i)]);
             !written)
-            return cannotWrite(places[i], written.error());
+            return cannotWrite(paths[i], written.error());
     if (progress && !progress(1.0))
         return cancelled(path);
-    return staged.publish(places);
+    return staged.publish(paths);
 }
 
 } // namespace hairpaint::model

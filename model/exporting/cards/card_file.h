@@ -10,7 +10,7 @@
 namespace hairpaint::model {
 
 /// Where the images lie that the glTF itself does not hold: "hair.glb" has "hair-rootToTip.png" and others.
-[[nodiscard]] QStringList cardImagePlaces(const QString& path);
+[[nodiscard]] QStringList cardImagePaths(const QString& path);
 
 /// A mesh a group, all with one material: base colour with alpha, cut off at kCardCutoff, and normals; other images
 /// beside it. All files are replaced together, or none is. Any thread.

@@ -59,37 +59,37 @@ public:
     }
 
     /// `bones`: one a vertex, or none where nothing holds it. `skin`: whose joints these are.
-    void addHead(const PlacedHead& head, QRgb colour, const std::vector<BoneWeights>& bones, int skin)
+    void addHead(const PosedMesh& head, QRgb colour, const std::vector<BoneWeights>& bones, int skin)
     {
         constexpr double kRoughness = 0.6;
         addBody(QStringLiteral("Head mesh"), head, material(QStringLiteral("Skin"), colour, kRoughness), bones, skin);
     }
 
     /// With the head; as addHead() has them.
-    void addWorn(const PlacedHead& placed, const Worn& worn, const std::vector<BoneWeights>& bones, int skin)
+    void addWorn(const PosedMesh& body, const Worn& worn, const std::vector<BoneWeights>& bones, int skin)
     {
         constexpr double kRoughness = 0.3; // Of what has all the sheen that there is.
         const double roughness = kRoughness + (1.0 - kRoughness) * (1.0 - static_cast<double>(worn.sheen));
         const QString name = QStringLiteral("Worn %1 %2").arg(QLatin1StringView(wornSpec(worn.kind).id)).arg(worn.id);
-        addBody(name, placed, material(name, worn.colour, roughness), bones, skin);
+        addBody(name, body, material(name, worn.colour, roughness), bones, skin);
     }
 
     /// The chains hang from a joint that is made for them.
     void addBones(const CurveSet& curves, const CardBones& bones, std::span<const sim::Ellipsoid> colliders)
     {
         const BoneRoot root{.node = static_cast<int>(m_nodes.size()),
-                            .place = {.position = curves.groups().front().middleWo}};
-        const JointPlace head{.position = curves.pose().positionWo, .rotation = curves.pose().rotation};
+                            .pose = {.position = curves.groups().front().middleWo}};
+        const JointPose head{.position = curves.pose().positionWo, .rotation = curves.pose().rotation};
         m_sceneNodes.append(root.node);
         m_nodes.append(QJsonObject{{QStringLiteral("name"), QStringLiteral("Head")},
-                                   {QStringLiteral("translation"), jsonNumbers(root.place.position)}});
+                                   {QStringLiteral("translation"), jsonNumbers(root.pose.position)}});
         addChains(boneGlb(curves, bones.chains, colliders, head, root, root.node + 1), root.node);
     }
 
     /// The skeleton with what VRM says of it, as the second skin where there is hair that swings. The chains hang from
     /// its head. `frame`: where the hair's space stands in the file.
     void addAvatar(const CurveSet& curves, const HairCards& cards, const ExportSettings& settings,
-                   const AvatarBody& body, const JointPlace& frame)
+                   const AvatarBody& body, const JointPose& frame)
     {
         const auto first = static_cast<int>(m_nodes.size());
         const AvatarGlb made = avatarGlb(*settings.avatar, body, first);
@@ -98,8 +98,8 @@ public:
             m_nodes.append(node);
         if (cards.bones) {
             const BoneRoot root{.node = made.headNode,
-                                .place = body.places[static_cast<std::size_t>(made.headNode - first)]};
-            addChains(boneGlb(curves, placedChains(cards.bones->chains, frame), contactShapes(settings.worn),
+                                .pose = body.poses[static_cast<std::size_t>(made.headNode - first)]};
+            addChains(boneGlb(curves, movedChains(cards.bones->chains, frame), contactShapes(settings.worn),
                               {.rotation = body.turn}, root, static_cast<int>(m_nodes.size())),
                       made.headNode);
         }
@@ -172,7 +172,7 @@ public:
     }
 
 private:
-    void addBody(const QString& name, const PlacedHead& mesh, const QJsonObject& material,
+    void addBody(const QString& name, const PosedMesh& mesh, const QJsonObject& material,
                  const std::vector<BoneWeights>& bones, int skin)
     {
         const int view = m_buffer.addView(mesh.vertices.data(), mesh.vertices.size() * sizeof(HeadVertexOut),
@@ -295,7 +295,7 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
     CardGlbWriter glb;
     const Avatar* const avatar = settings.avatar.get();
     const AvatarBody body = avatar != nullptr ? avatarBody(*avatar) : AvatarBody{};
-    JointPlace frame; // Of the hair's space in the file.
+    JointPose frame; // Of the hair's space in the file.
     if (avatar != nullptr) {
         frame.rotation = body.turn * glm::conjugate(curves.pose().rotation);
         frame.position = frame.rotation * -curves.pose().positionWo;
@@ -306,7 +306,7 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
         std::vector<CardMesh> levels;
         levels.reserve(cards.levels.size());
         for (const CardLevel& level : cards.levels)
-            levels.push_back(avatar != nullptr ? placedMesh(cardMesh(cards, level, group), frame)
+            levels.push_back(avatar != nullptr ? movedMesh(cardMesh(cards, level, group), frame)
                                                : cardMesh(cards, level, group));
         std::erase_if(levels, [](const CardMesh& mesh) { return mesh.indices.empty(); });
         if (!levels.empty())
@@ -319,19 +319,19 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
         for (const Worn& worn : settings.worn) {
             if (!wornSpec(worn.kind).drawn())
                 continue;
-            const PlacedHead placed = turnedWorn(worn, body.turn);
-            glb.addWorn(placed, worn, std::vector<BoneWeights>(placed.vertices.size(), headBone), skin);
+            const PosedMesh thing = turnedWorn(curves, worn, body.turn);
+            glb.addWorn(thing, worn, std::vector<BoneWeights>(thing.vertices.size(), headBone), skin);
         }
         glb.addAvatar(curves, cards, settings, body, frame);
-    } else if (const PlacedHead head = settings.cards.withHead ? placedHead(curves) : PlacedHead{};
+    } else if (const PosedMesh head = settings.cards.withHead ? posedHead(curves) : PosedMesh{};
                !head.indices.empty()) {
         const std::size_t held = cards.bones ? head.vertices.size() : 0;
         glb.addHead(head, settings.skinColour, std::vector<BoneWeights>(held), 0);
         for (const Worn& worn : settings.worn) {
             if (!wornSpec(worn.kind).drawn())
                 continue;
-            const PlacedHead placed = placedWorn(curves, worn);
-            glb.addWorn(placed, worn, std::vector<BoneWeights>(cards.bones ? placed.vertices.size() : 0), 0);
+            const PosedMesh thing = posedWorn(curves, worn);
+            glb.addWorn(thing, worn, std::vector<BoneWeights>(cards.bones ? thing.vertices.size() : 0), 0);
         }
     }
     if (cards.patches.empty())

@@ -9,10 +9,10 @@
 
 namespace hairpaint::model {
 
-PlacedHead plainHead(const sim::HeadMesh& mesh)
+PosedMesh plainHead(const sim::HeadMesh& mesh)
 {
     constexpr glm::vec3 kUprightZ(0.0F, 0.0F, 1.0F);
-    PlacedHead head;
+    PosedMesh head;
     head.vertices.reserve(mesh.positionsHd.size());
     for (std::size_t i = 0; i < mesh.positionsHd.size(); ++i)
         head.vertices.push_back({.position = mesh.positionsHd[i],
@@ -28,7 +28,7 @@ PlacedHead plainHead(const sim::HeadMesh& mesh)
 namespace {
 
 /// From Hd to Wo.
-void hold(PlacedHead& head, const CurveSet& set)
+void hold(PosedMesh& head, const CurveSet& set)
 {
     const sim::HeadPose& pose = set.pose();
     const sim::NeckTurn neck = sim::neckTurn(set.neck(), pose);
@@ -46,9 +46,9 @@ void hold(PlacedHead& head, const CurveSet& set)
 }
 
 /// On its head.
-PlacedHead bodyOf(const Worn& worn)
+PosedMesh bodyOf(const Worn& worn, const sim::Skin* skin)
 {
-    PlacedHead body = plainHead(*wornSpec(worn.kind).mesh());
+    PosedMesh body = plainHead(*wornMesh(worn, skin));
     const sim::Ellipsoid& shape = worn.shape;
     const glm::quat rotation = glm::normalize(shape.rotation);
     for (HeadVertexOut& vertex : body.vertices) {
@@ -60,25 +60,25 @@ PlacedHead bodyOf(const Worn& worn)
 
 } // namespace
 
-PlacedHead placedHead(const CurveSet& set)
+PosedMesh posedHead(const CurveSet& set)
 {
     if (set.skin() == nullptr)
         return {};
-    PlacedHead head = plainHead(set.skin()->mesh());
+    PosedMesh head = plainHead(set.skin()->mesh());
     hold(head, set);
     return head;
 }
 
-PlacedHead placedWorn(const CurveSet& set, const Worn& worn)
+PosedMesh posedWorn(const CurveSet& set, const Worn& worn)
 {
-    PlacedHead placed = bodyOf(worn);
-    hold(placed, set);
-    return placed;
+    PosedMesh body = bodyOf(worn, set.skin());
+    hold(body, set);
+    return body;
 }
 
-PlacedHead turnedWorn(const Worn& worn, const glm::quat& turn)
+PosedMesh turnedWorn(const CurveSet& set, const Worn& worn, const glm::quat& turn)
 {
-    PlacedHead turned = bodyOf(worn);
+    PosedMesh turned = bodyOf(worn, set.skin());
     for (HeadVertexOut& vertex : turned.vertices) {
         vertex.position = turn * vertex.position;
         vertex.normal = turn * vertex.normal;

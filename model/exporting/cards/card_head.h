@@ -18,19 +18,19 @@ struct HeadVertexOut
 };
 static_assert(sizeof(HeadVertexOut) == 32);
 
-struct PlacedHead
+struct PosedMesh
 {
     std::vector<HeadVertexOut> vertices;
     std::vector<std::uint32_t> indices; ///< Three a triangle, counter-clockwise from outside.
 };
 
-/// As it lies, Hd.
-[[nodiscard]] PlacedHead plainHead(const sim::HeadMesh& mesh);
+/// The mesh at rest, Hd.
+[[nodiscard]] PosedMesh plainHead(const sim::HeadMesh& mesh);
 /// The mesh that the hair stands on, Wo, as it is held and its neck turned; empty where no group has roots.
-[[nodiscard]] PlacedHead placedHead(const CurveSet& set);
+[[nodiscard]] PosedMesh posedHead(const CurveSet& set);
 /// A thing of a kind that is drawn, Wo, as it goes with the head.
-[[nodiscard]] PlacedHead placedWorn(const CurveSet& set, const Worn& worn);
+[[nodiscard]] PosedMesh posedWorn(const CurveSet& set, const Worn& worn);
 /// The same on a head at rest that is turned about its origin.
-[[nodiscard]] PlacedHead turnedWorn(const Worn& worn, const glm::quat& turn);
+[[nodiscard]] PosedMesh turnedWorn(const CurveSet& set, const Worn& worn, const glm::quat& turn);
 
 } // namespace hairpaint::model

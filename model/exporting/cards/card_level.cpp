@@ -25,12 +25,12 @@ struct Strays
     std::vector<bool> isOne;                       ///< By hair.
 };
 
-float rmsAway(std::span<const glm::vec3> places, std::span<const glm::vec3> path)
+float rmsAway(std::span<const glm::vec3> samples, std::span<const glm::vec3> path)
 {
     float sum = 0.0F;
-    for (std::size_t i = 0; i < places.size(); ++i)
-        sum += glm::dot(places[i] - path[i], places[i] - path[i]);
-    return std::sqrt(sum / static_cast<float>(places.size()));
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        sum += glm::dot(samples[i] - path[i], samples[i] - path[i]);
+    return std::sqrt(sum / static_cast<float>(samples.size()));
 }
 
 std::size_t groupOf(const CurveSet& set, const SampledHair& hair, std::uint32_t i)
@@ -46,7 +46,7 @@ Strays straysFrom(const CurveSet& set, const SampledHair& hair, const std::vecto
                   .isOne = std::vector<bool>(hair.count())};
     for (const HairLock& lock : locks)
         for (const std::uint32_t i : lock.hairs) {
-            const float away = rmsAway(hair.places(i), lock.meanWo);
+            const float away = rmsAway(hair.samples(i), lock.meanWo);
             if (away < std::max(kFar * lock.spreadM, kLeastM))
                 continue;
             strays.isOne[i] = true;
@@ -147,7 +147,7 @@ int addCoarserCaps(const CurveSet& set, const SampledHair& hair, const CardLevel
     return triangles;
 }
 
-/// An even share of those of the finest level, as they are: wider ones would no longer be single hairs.
+/// An even subset of those of the finest level, as they are: wider ones would no longer be single hairs.
 void addFewerFlyaways(const CardLevel& finest, int triangles, CardLevel& level)
 {
     int all = 0;
@@ -223,8 +223,8 @@ std::vector<float> hairWeights(const SampledHair& hair, const HairField& field)
     sim::parallelFor(hair.count(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             float open = 0.0F;
-            for (const glm::vec3& place : hair.places(i))
-                open += field.openness(place) / static_cast<float>(SampledHair::kPlaces);
+            for (const glm::vec3& sample : hair.samples(i))
+                open += field.openness(sample) / static_cast<float>(SampledHair::kSamples);
             weights[i] = kHidden + (1.0F - kHidden) * std::min(2.0F * open, 1.0F);
         }
     });

@@ -33,13 +33,13 @@ void addCap(const HairCards& cards, const CardLevel& level, std::size_t group, C
     const auto atlasPx = static_cast<float>(cards.images.size());
     mesh.vertices.reserve(cap.vertices.size());
     for (const ScalpCap::Vertex& corner : cap.vertices) {
-        // To the right on the flattened skin is about across the way out, seen from there.
+        // To the right on the flattened skin is about across the outward direction, seen from there.
         const glm::vec3 right = glm::cross(cap.upWo(), corner.normalWo);
         const float length = glm::length(right);
         const glm::vec3 tangent = length > kSteep ? right / length : anyAcross(corner.normalWo);
         const glm::vec2 uv = glm::clamp(cap.uv(corner.flatM), 0.0F, 1.0F);
         mesh.vertices.push_back(
-            {.position = corner.placeWo,
+            {.position = corner.positionWo,
              .normal = corner.normalWo,
              .tangent = glm::vec4(tangent, 1.0F),
              .uv = (glm::vec2(patch.x, patch.y) + glm::vec2(patch.width, patch.height) * uv) / atlasPx});
@@ -78,7 +78,7 @@ CardMesh cardMesh(const HairCards& cards, const CardLevel& level, std::size_t gr
     return mesh;
 }
 
-CardMesh placedMesh(CardMesh mesh, const JointPlace& frame)
+CardMesh movedMesh(CardMesh mesh, const JointPose& frame)
 {
     for (CardVertex& vertex : mesh.vertices) {
         vertex.position = frame.position + frame.rotation * vertex.position;

@@ -28,7 +28,7 @@ struct CardMesh
 /// Of the cap and the strips of one group in a level. Normals lean to the strip's sides, so that it is lit like a round
 /// lock.
 [[nodiscard]] CardMesh cardMesh(const HairCards& cards, const CardLevel& level, std::size_t group);
-/// The mesh seen from where its frame stands.
-[[nodiscard]] CardMesh placedMesh(CardMesh mesh, const JointPlace& frame);
+/// The mesh in the coordinates of `frame`.
+[[nodiscard]] CardMesh movedMesh(CardMesh mesh, const JointPose& frame);
 
 } // namespace hairpaint::model

@@ -1,9 +1,9 @@
-// What is wanted of hair cards.
+// The settings of hair cards.
 #pragma once
 
 namespace hairpaint::model {
 
-/// Of all cards of an export together.
+/// They apply to all cards of an export together.
 struct CardSettings
 {
     static constexpr int kFewestTriangles = 1'000;

@@ -11,15 +11,15 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr std::size_t kPlaces = SampledHair::kPlaces;
+constexpr std::size_t kSamples = SampledHair::kSamples;
 constexpr float kLeftOut = 0.05F; ///< Of the hairs, on each side.
 constexpr float kOuter = 0.8F;    ///< So many of the hairs lie under the strip.
 constexpr float kNarrowestHalfM = 0.2e-3F;
 constexpr float kShortestM = 0.2e-3F;
 constexpr int kFrameRounds = 12;
 
-using Vectors = std::array<glm::vec3, kPlaces>;
-using Numbers = std::array<float, kPlaces>;
+using Vectors = std::array<glm::vec3, kSamples>;
+using Numbers = std::array<float, kSamples>;
 
 /// The value that this fraction of them stays under.
 float quantile(std::vector<float>& values, float fraction)
@@ -33,8 +33,8 @@ Vectors tangentsOf(const Vectors& path)
 {
     Vectors tangents{};
     glm::vec3 last = unitOr(path.back() - path.front(), glm::vec3(0.0F, -1.0F, 0.0F));
-    for (std::size_t i = 0; i < kPlaces; ++i) {
-        last = unitOr(path.at(std::min(i + 1, kPlaces - 1)) - path.at(i > 0 ? i - 1 : 0), last);
+    for (std::size_t i = 0; i < kSamples; ++i) {
+        last = unitOr(path.at(std::min(i + 1, kSamples - 1)) - path.at(i > 0 ? i - 1 : 0), last);
         tangents.at(i) = last;
     }
     return tangents;
@@ -49,9 +49,9 @@ void reachOut(const SampledHair& hair, const HairLock& lock, Vectors& path)
     before.reserve(lock.hairs.size());
     after.reserve(lock.hairs.size());
     for (const std::uint32_t i : lock.hairs) {
-        const auto places = hair.places(i);
-        before.push_back(glm::dot(path.front() - places.front(), tangents.front()));
-        after.push_back(glm::dot(places.back() - path.back(), tangents.back()));
+        const auto samples = hair.samples(i);
+        before.push_back(glm::dot(path.front() - samples.front(), tangents.front()));
+        after.push_back(glm::dot(samples.back() - path.back(), tangents.back()));
     }
     path.front() -= std::max(quantile(before, 1.0F - kLeftOut), 0.0F) * tangents.front();
     path.back() += std::max(quantile(after, 1.0F - kLeftOut), 0.5F * kShortestM) * tangents.back();
@@ -67,21 +67,21 @@ Vectors normalsOf(const Vectors& path, const Vectors& tangents, const HairField&
     };
     Vectors wanted{};
     Vectors normals{};
-    for (std::size_t i = 0; i < kPlaces; ++i)
+    for (std::size_t i = 0; i < kSamples; ++i)
         wanted.at(i) = projected(field.outward(path.at(i)), tangents.at(i));
     glm::vec3 last = anyAcross(tangents.front());
     const auto firstClear = std::ranges::find_if(wanted, [](const glm::vec3& v) { return glm::dot(v, v) > 0.01F; });
     if (firstClear != wanted.end())
         last = *firstClear;
-    for (std::size_t i = 0; i < kPlaces; ++i) {
+    for (std::size_t i = 0; i < kSamples; ++i) {
         last = unitOr(projected(last, tangents.at(i)), anyAcross(tangents.at(i)));
         last = unitOr(last + wanted.at(i), last);
         normals.at(i) = last;
     }
     constexpr float kKept = 2.0F; ///< Of the neighbours, against what is wanted there.
     for (int round = 0; round < kFrameRounds; ++round)
-        for (std::size_t i = 0; i < kPlaces; ++i) {
-            const glm::vec3 around = normals.at(i > 0 ? i - 1 : 0) + normals.at(std::min(i + 1, kPlaces - 1));
+        for (std::size_t i = 0; i < kSamples; ++i) {
+            const glm::vec3 around = normals.at(i > 0 ? i - 1 : 0) + normals.at(std::min(i + 1, kSamples - 1));
             normals.at(i) = unitOr(projected(kKept * around + wanted.at(i), tangents.at(i)), normals.at(i));
         }
     return normals;
@@ -96,13 +96,13 @@ Numbers halfWidthsOf(const SampledHair& hair, const HairLock& lock, const Vector
     Vectors shifts{};
     std::vector<float> across;
     std::vector<float> heights;
-    for (std::size_t i = 0; i < kPlaces; ++i) {
+    for (std::size_t i = 0; i < kSamples; ++i) {
         across.clear();
         across.reserve(lock.hairs.size());
         heights.clear();
         heights.reserve(lock.hairs.size());
         for (const std::uint32_t h : lock.hairs) {
-            const glm::vec3 away = hair.places(h)[i] - lock.meanWo.at(i);
+            const glm::vec3 away = hair.samples(h)[i] - lock.meanWo.at(i);
             across.push_back(glm::dot(away, sides.at(i)));
             heights.push_back(glm::dot(away, normals.at(i)));
         }
@@ -112,9 +112,9 @@ Numbers halfWidthsOf(const SampledHair& hair, const HairLock& lock, const Vector
         widths.at(i) = std::max(0.5F * (high - low), kNarrowestHalfM);
     }
     Numbers smooth{};
-    for (std::size_t i = 0; i < kPlaces; ++i) {
+    for (std::size_t i = 0; i < kSamples; ++i) {
         const std::size_t before = i > 0 ? i - 1 : 0;
-        const std::size_t after = std::min(i + 1, kPlaces - 1);
+        const std::size_t after = std::min(i + 1, kSamples - 1);
         path.at(i) += 0.25F * (shifts.at(before) + shifts.at(after)) + 0.5F * shifts.at(i);
         smooth.at(i) = std::max({widths.at(before), widths.at(i), widths.at(after)});
     }
@@ -136,7 +136,7 @@ float CardStrip::areaM2() const
     return area;
 }
 
-StripPlace StripProjector::next(const glm::vec3& pointWo)
+StripPoint StripProjector::next(const glm::vec3& pointWo)
 {
     const std::vector<StripNode>& nodes = m_strip.nodes;
     const auto measured = [&](std::size_t segment, float& square, float& part) {
@@ -181,13 +181,13 @@ CardStrip stripOf(const SampledHair& hair, const HairLock& lock, const HairField
     const Vectors tangents = tangentsOf(path);
     const Vectors normals = normalsOf(path, tangents, field);
     Vectors sides{};
-    for (std::size_t i = 0; i < kPlaces; ++i)
+    for (std::size_t i = 0; i < kSamples; ++i)
         sides.at(i) = glm::cross(normals.at(i), tangents.at(i));
     const Numbers widths = halfWidthsOf(hair, lock, sides, normals, path);
 
     CardStrip strip;
     std::vector<std::uint16_t> kept;
-    stripPlaces(lock, kept);
+    stripSamples(lock, kept);
     strip.nodes.reserve(kept.size());
     for (const std::uint16_t i : kept) {
         StripNode node{.middleWo = path.at(i),

@@ -33,7 +33,7 @@ struct CardStrip
 };
 
 /// A point as the strip sees it.
-struct StripPlace
+struct StripPoint
 {
     float across = 0.0F;  ///< -1 at its left border, 1 at its right.
     float alongM = 0.0F;  ///< From the first node.
@@ -45,7 +45,7 @@ class StripProjector
 {
 public:
     explicit StripProjector(const CardStrip& strip) : m_strip(strip) {}
-    [[nodiscard]] StripPlace next(const glm::vec3& pointWo);
+    [[nodiscard]] StripPoint next(const glm::vec3& pointWo);
 
 private:
     const CardStrip& m_strip;

@@ -27,9 +27,9 @@ HairField::HairField(const CurveSet& set, const SampledHair& hair)
 {
     glm::vec3 least(std::numeric_limits<float>::max());
     glm::vec3 greatest(std::numeric_limits<float>::lowest());
-    for (const glm::vec3& place : hair.placesWo) {
-        least = glm::min(least, place);
-        greatest = glm::max(greatest, place);
+    for (const glm::vec3& sample : hair.samplesWo) {
+        least = glm::min(least, sample);
+        greatest = glm::max(greatest, sample);
     }
     if (hair.count() == 0)
         least = greatest = glm::vec3(0.0F);
@@ -48,11 +48,11 @@ HairField::HairField(const CurveSet& set, const SampledHair& hair)
 
 void HairField::deposit(const SampledHair& hair)
 {
-    const float perVolume = 1.0F / (m_cellM * m_cellM * m_cellM * static_cast<float>(SampledHair::kPlaces));
+    const float perVolume = 1.0F / (m_cellM * m_cellM * m_cellM * static_cast<float>(SampledHair::kSamples));
     for (std::size_t i = 0; i < hair.count(); ++i) {
         const float area = hair.lengthM[i] * hair.widthM[i] * perVolume;
-        for (const glm::vec3& place : hair.places(i))
-            m_areaPerM[indexOf(glm::ivec3((place - m_originWo) / m_cellM + 0.5F))] += area;
+        for (const glm::vec3& sample : hair.samples(i))
+            m_areaPerM[indexOf(glm::ivec3((sample - m_originWo) / m_cellM + 0.5F))] += area;
     }
     m_filled.resize(m_areaPerM.size());
     std::ranges::transform(m_areaPerM, m_filled.begin(), [](float area) { return 1.0F - std::exp(-area * kFillingM); });
@@ -73,8 +73,8 @@ void HairField::fillHead(const CurveSet& set)
     for (cell.z = 0; cell.z < m_size.z; ++cell.z)
         for (cell.y = 0; cell.y < m_size.y; ++cell.y)
             for (cell.x = 0; cell.x < m_size.x; ++cell.x) {
-                const glm::vec3 placeHd = back * (m_originWo + m_cellM * glm::vec3(cell) - pose.positionWo);
-                const glm::ivec3 own(glm::floor((placeHd - solid.originHd) / solid.cellM + 0.5F));
+                const glm::vec3 positionHd = back * (m_originWo + m_cellM * glm::vec3(cell) - pose.positionWo);
+                const glm::ivec3 own(glm::floor((positionHd - solid.originHd) / solid.cellM + 0.5F));
                 const bool within =
                     glm::all(glm::greaterThanEqual(own, glm::ivec3(0))) && glm::all(glm::lessThan(own, solid.size));
                 if (!within || solid.inside[solid.indexOf(own)] == 0)
@@ -142,12 +142,12 @@ void HairField::blurFilled()
         }
 }
 
-float HairField::at(const std::vector<float>& values, const glm::vec3& placeWo) const
+float HairField::at(const std::vector<float>& values, const glm::vec3& positionWo) const
 {
     const glm::vec3 last(m_size - 2);
-    const glm::vec3 place = glm::clamp((placeWo - m_originWo) / m_cellM, glm::vec3(0.0F), last);
-    const glm::ivec3 cell(place);
-    const glm::vec3 part = place - glm::vec3(cell);
+    const glm::vec3 inCells = glm::clamp((positionWo - m_originWo) / m_cellM, glm::vec3(0.0F), last);
+    const glm::ivec3 cell(inCells);
+    const glm::vec3 part = inCells - glm::vec3(cell);
     const std::size_t first = indexOf(cell);
     const auto row = static_cast<std::size_t>(m_size.x);
     const std::size_t layer = row * static_cast<std::size_t>(m_size.y);
@@ -156,13 +156,13 @@ float HairField::at(const std::vector<float>& values, const glm::vec3& placeWo) 
                     glm::mix(along(first + layer), along(first + layer + row), part.y), part.z);
 }
 
-glm::vec3 HairField::outward(const glm::vec3& placeWo) const
+glm::vec3 HairField::outward(const glm::vec3& positionWo) const
 {
     glm::vec3 rise(0.0F);
     for (int axis = 0; axis < 3; ++axis) {
         glm::vec3 step(0.0F);
         step[axis] = m_cellM;
-        rise[axis] = at(m_filled, placeWo + step) - at(m_filled, placeWo - step);
+        rise[axis] = at(m_filled, positionWo + step) - at(m_filled, positionWo - step);
     }
     // About 1 where a full half space ends.
     constexpr float kSteepest = 2.0F;
@@ -171,9 +171,9 @@ glm::vec3 HairField::outward(const glm::vec3& placeWo) const
     return length > 1.0F ? out / length : out;
 }
 
-float HairField::openness(const glm::vec3& placeWo) const
+float HairField::openness(const glm::vec3& positionWo) const
 {
-    return at(m_openness, placeWo);
+    return at(m_openness, positionWo);
 }
 
 } // namespace hairpaint::model

@@ -16,9 +16,9 @@ public:
     HairField(const CurveSet& set, const SampledHair& hair);
 
     /// Away from hair and head, about unit; small where it is as dense on all sides.
-    [[nodiscard]] glm::vec3 outward(const glm::vec3& placeWo) const;
+    [[nodiscard]] glm::vec3 outward(const glm::vec3& positionWo) const;
     /// How much light from all around comes there, 0..1.
-    [[nodiscard]] float openness(const glm::vec3& placeWo) const;
+    [[nodiscard]] float openness(const glm::vec3& positionWo) const;
 
 private:
     void deposit(const SampledHair& hair);
@@ -33,7 +33,7 @@ private:
                    static_cast<std::size_t>(m_size.x) +
                static_cast<std::size_t>(cell.x);
     }
-    [[nodiscard]] float at(const std::vector<float>& values, const glm::vec3& placeWo) const;
+    [[nodiscard]] float at(const std::vector<float>& values, const glm::vec3& positionWo) const;
 
     glm::vec3 m_originWo{0.0F}; ///< Middle of the first cell.
     float m_cellM = 0.003F;

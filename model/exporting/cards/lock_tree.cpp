@@ -11,7 +11,7 @@ namespace hairpaint::model {
 
 namespace {
 
-using Path = std::array<glm::vec3, SampledHair::kPlaces>;
+using Path = std::array<glm::vec3, SampledHair::kSamples>;
 
 constexpr std::size_t kMostCompared = 2048; ///< Of a lock's hairs, while its halves are sought.
 constexpr int kMeanRounds = 4;
@@ -21,11 +21,11 @@ float squaredAway(std::span<const glm::vec3> hair, std::span<const glm::vec3> pa
 {
     // Several sums at once, which the compiler can keep in one register.
     constexpr std::size_t kSums = 8;
-    static_assert(3 * SampledHair::kPlaces % kSums == 0);
+    static_assert(3 * SampledHair::kSamples % kSums == 0);
     const float* a = &hair.front().x;
     const float* b = &path.front().x;
     std::array<float, kSums> sums{};
-    for (std::size_t i = 0; i < 3 * SampledHair::kPlaces; i += kSums)
+    for (std::size_t i = 0; i < 3 * SampledHair::kSamples; i += kSums)
         for (std::size_t j = 0; j < kSums; ++j) {
             const float away = a[i + j] - b[i + j];
             sums[j] += away * away;
@@ -36,10 +36,10 @@ float squaredAway(std::span<const glm::vec3> hair, std::span<const glm::vec3> pa
 class PathMean
 {
 public:
-    void add(std::span<const glm::vec3> places, float weight)
+    void add(std::span<const glm::vec3> samples, float weight)
     {
-        for (std::size_t i = 0; i < places.size(); ++i)
-            m_sum.at(i) += weight * places[i];
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            m_sum.at(i) += weight * samples[i];
         m_weight += weight;
     }
     [[nodiscard]] std::optional<Path> mean() const
@@ -47,8 +47,8 @@ public:
         if (m_weight <= 0.0F)
             return std::nullopt;
         Path path = m_sum;
-        for (glm::vec3& place : path)
-            place /= m_weight;
+        for (glm::vec3& sample : path)
+            sample /= m_weight;
         return path;
     }
 
@@ -74,18 +74,18 @@ public:
         Candidate made;
         PathMean mean;
         for (const std::uint32_t i : hairs)
-            mean.add(m_hair.places(i), m_weights[i]);
+            mean.add(m_hair.samples(i), m_weights[i]);
         made.lock.meanWo = *mean.mean();
         double squares = 0.0;
         for (const std::uint32_t i : hairs) {
-            const auto away = static_cast<double>(squaredAway(m_hair.places(i), made.lock.meanWo));
+            const auto away = static_cast<double>(squaredAway(m_hair.samples(i), made.lock.meanWo));
             made.error += static_cast<double>(m_weights[i]) * away;
             squares += away;
         }
         made.lock.spreadM = static_cast<float>(
-            std::sqrt(squares / (static_cast<double>(hairs.size()) * static_cast<double>(SampledHair::kPlaces))));
+            std::sqrt(squares / (static_cast<double>(hairs.size()) * static_cast<double>(SampledHair::kSamples))));
         made.lock.hairs = std::move(hairs);
-        stripPlaces(made.lock, m_kept);
+        stripSamples(made.lock, m_kept);
         made.triangles = 2 * (static_cast<int>(m_kept.size()) - 1);
         return made;
     }
@@ -93,15 +93,15 @@ public:
     /// None where all hairs are alike.
     [[nodiscard]] std::optional<std::pair<Candidate, Candidate>> halves(const HairLock& lock)
     {
-        Path left = placesOf(farthestFrom(lock.meanWo, lock.hairs));
-        Path right = placesOf(farthestFrom(left, lock.hairs));
+        Path left = samplesOf(farthestFrom(lock.meanWo, lock.hairs));
+        Path right = samplesOf(farthestFrom(left, lock.hairs));
         const std::size_t step = (lock.hairs.size() + kMostCompared - 1) / kMostCompared;
         for (int round = 0; round < kMeanRounds; ++round) {
             PathMean leftMean;
             PathMean rightMean;
             for (std::size_t i = 0; i < lock.hairs.size(); i += step) {
-                const auto places = m_hair.places(lock.hairs[i]);
-                (isLeft(places, left, right) ? leftMean : rightMean).add(places, m_weights[lock.hairs[i]]);
+                const auto samples = m_hair.samples(lock.hairs[i]);
+                (isLeft(samples, left, right) ? leftMean : rightMean).add(samples, m_weights[lock.hairs[i]]);
             }
             left = leftMean.mean().value_or(left);
             right = rightMean.mean().value_or(right);
@@ -109,21 +109,21 @@ public:
         std::vector<std::uint32_t> leftHairs;
         std::vector<std::uint32_t> rightHairs;
         for (const std::uint32_t i : lock.hairs)
-            (isLeft(m_hair.places(i), left, right) ? leftHairs : rightHairs).push_back(i);
+            (isLeft(m_hair.samples(i), left, right) ? leftHairs : rightHairs).push_back(i);
         if (leftHairs.empty() || rightHairs.empty())
             return std::nullopt;
         return std::pair(candidate(std::move(leftHairs)), candidate(std::move(rightHairs)));
     }
 
 private:
-    [[nodiscard]] static bool isLeft(std::span<const glm::vec3> places, const Path& left, const Path& right)
+    [[nodiscard]] static bool isLeft(std::span<const glm::vec3> samples, const Path& left, const Path& right)
     {
-        return squaredAway(places, left) <= squaredAway(places, right);
+        return squaredAway(samples, left) <= squaredAway(samples, right);
     }
-    [[nodiscard]] Path placesOf(std::uint32_t hair) const
+    [[nodiscard]] Path samplesOf(std::uint32_t hair) const
     {
         Path path{};
-        std::ranges::copy(m_hair.places(hair), path.begin());
+        std::ranges::copy(m_hair.samples(hair), path.begin());
         return path;
     }
     [[nodiscard]] std::uint32_t farthestFrom(const Path& path, const std::vector<std::uint32_t>& hairs) const
@@ -132,7 +132,7 @@ private:
         std::uint32_t farthest = hairs.front();
         float greatest = -1.0F;
         for (std::size_t i = 0; i < hairs.size(); i += step) {
-            const float away = squaredAway(m_hair.places(hairs[i]), path);
+            const float away = squaredAway(m_hair.samples(hairs[i]), path);
             if (away > greatest) {
                 greatest = away;
                 farthest = hairs[i];
@@ -148,7 +148,7 @@ private:
 
 } // namespace
 
-void stripPlaces(const HairLock& lock, std::vector<std::uint16_t>& kept)
+void stripSamples(const HairLock& lock, std::vector<std::uint16_t>& kept)
 {
     constexpr float kOfSpread = 0.3F;
     constexpr float kFinestM = 0.4e-3F;
@@ -159,7 +159,7 @@ void stripPlaces(const HairLock& lock, std::vector<std::uint16_t>& kept)
 int stripTriangles(const HairLock& lock)
 {
     std::vector<std::uint16_t> kept;
-    stripPlaces(lock, kept);
+    stripSamples(lock, kept);
     return 2 * (static_cast<int>(kept.size()) - 1);
 }
 

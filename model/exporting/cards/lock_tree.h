@@ -13,12 +13,12 @@ namespace hairpaint::model {
 struct HairLock
 {
     std::vector<std::uint32_t> hairs; ///< Of SampledHair.
-    std::array<glm::vec3, SampledHair::kPlaces> meanWo{};
+    std::array<glm::vec3, SampledHair::kSamples> meanWo{};
     float spreadM = 0.0F; ///< Root of the mean squared distance from there.
 };
 
 /// At which of the lock's samples a strip along it has nodes, both ends among them.
-void stripPlaces(const HairLock& lock, std::vector<std::uint16_t>& kept);
+void stripSamples(const HairLock& lock, std::vector<std::uint16_t>& kept);
 
 /// Of a strip along it: two a segment.
 [[nodiscard]] int stripTriangles(const HairLock& lock);

@@ -10,8 +10,8 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr std::size_t kStepsAPlace = 4;
-constexpr std::size_t kSteps = kStepsAPlace * (SampledHair::kPlaces - 1);
+constexpr std::size_t kStepsPerSample = 4;
+constexpr std::size_t kSteps = kStepsPerSample * (SampledHair::kSamples - 1);
 constexpr std::size_t kHairsAtOnce = 1U << 14U;
 constexpr std::size_t kGrain = 256;
 
@@ -34,17 +34,17 @@ float stepAlong(std::span<const glm::vec3> points, std::vector<float>& along, st
     return length;
 }
 
-void averageAlong(const std::array<glm::vec3, kSteps + 1>& steps, std::span<glm::vec3> places)
+void averageAlong(const std::array<glm::vec3, kSteps + 1>& steps, std::span<glm::vec3> samples)
 {
-    places.front() = steps.front();
-    for (std::size_t i = 1; i < places.size(); ++i) {
-        const std::size_t middle = i * kStepsAPlace;
-        const std::size_t last = std::min(middle + kStepsAPlace / 2, kSteps);
+    samples.front() = steps.front();
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        const std::size_t middle = i * kStepsPerSample;
+        const std::size_t last = std::min(middle + kStepsPerSample / 2, kSteps);
         glm::vec3 sum(0.0F);
         std::size_t count = 0;
-        for (std::size_t step = middle - kStepsAPlace / 2; step <= last; ++step, ++count)
+        for (std::size_t step = middle - kStepsPerSample / 2; step <= last; ++step, ++count)
             sum += steps.at(step);
-        places[i] = sum / static_cast<float>(count);
+        samples[i] = sum / static_cast<float>(count);
     }
 }
 
@@ -59,7 +59,7 @@ std::optional<SampledHair> sampledHair(const CurveSet& set, const Progress& prog
     hair.curve.resize(count);
     hair.lengthM.resize(count);
     hair.widthM.resize(count);
-    hair.placesWo.resize(count * SampledHair::kPlaces);
+    hair.samplesWo.resize(count * SampledHair::kSamples);
     for (std::size_t first = 0; first < count; first += kHairsAtOnce) {
         if (progress && !progress(static_cast<double>(first) / static_cast<double>(count)))
             return std::nullopt;
@@ -72,7 +72,8 @@ std::optional<SampledHair> sampledHair(const CurveSet& set, const Progress& prog
                 const Curve& curve = set.curves()[hair.curve[i]];
                 hair.lengthM[i] = stepAlong(set.points(curve, scratch), along, steps);
                 hair.widthM[i] = set.width(curve, 0.0F) * others;
-                averageAlong(steps, std::span(hair.placesWo).subspan(i * SampledHair::kPlaces, SampledHair::kPlaces));
+                averageAlong(steps,
+                             std::span(hair.samplesWo).subspan(i * SampledHair::kSamples, SampledHair::kSamples));
             }
         });
     }

@@ -46,18 +46,18 @@ std::vector<glm::uvec3> hairyTriangles(const sim::CoarseMesh& coarse, const sim:
 void setView(const CurveSet& set, const SampledHair& hair, ScalpCap& cap)
 {
     const sim::HeadPose& pose = set.pose();
-    glm::dvec3 place(0.0);
+    glm::dvec3 sum(0.0);
     glm::dvec3 normal(0.0);
     for (const std::uint32_t i : cap.hairs) {
         const Curve& curve = set.curves()[hair.curve[i]];
-        place += glm::dvec3(hair.places(i).front());
+        sum += glm::dvec3(hair.samples(i).front());
         normal += glm::dvec3(pose.rotation * set.roots(curve).normalHd[curve.slot]);
     }
     const double length = glm::length(normal);
     cap.axisWo = length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0F, 1.0F, 0.0F);
     // Roots all around a ball have no mean normal, and their mean is its middle.
     const auto spread = static_cast<float>(length) / static_cast<float>(cap.hairs.size());
-    cap.middleWo = glm::vec3(place / static_cast<double>(cap.hairs.size())) - spread * cap.radiusM * cap.axisWo;
+    cap.middleWo = glm::vec3(sum / static_cast<double>(cap.hairs.size())) - spread * cap.radiusM * cap.axisWo;
 }
 
 } // namespace
@@ -70,12 +70,12 @@ glm::vec3 ScalpCap::upWo() const
     return up;
 }
 
-glm::vec2 ScalpCap::flat(const glm::vec3& placeWo) const
+glm::vec2 ScalpCap::flat(const glm::vec3& positionWo) const
 {
     glm::vec3 right;
     glm::vec3 up;
     mapAxes(axisWo, right, up);
-    const glm::vec3 away = placeWo - middleWo;
+    const glm::vec3 away = positionWo - middleWo;
     const glm::vec2 around(glm::dot(away, right), -glm::dot(away, up));
     const float aside = glm::length(around);
     const float angle = std::atan2(aside, glm::dot(away, axisWo));
@@ -116,10 +116,10 @@ std::optional<ScalpCap> capOver(const CurveSet& set, const SampledHair& hair, st
         if (corner[cluster] != kUnused)
             return corner[cluster];
         const sim::SurfacePoint point = skin->nearest(coarse.mesh.positionsHd[cluster]);
-        const glm::vec3 placeHd = point.positionHd + kAboveSkinM * point.normalHd;
-        ScalpCap::Vertex made{.placeWo = pose.rotation * placeHd + pose.positionWo,
+        const glm::vec3 positionHd = point.positionHd + kAboveSkinM * point.normalHd;
+        ScalpCap::Vertex made{.positionWo = pose.rotation * positionHd + pose.positionWo,
                               .normalWo = pose.rotation * point.normalHd};
-        made.flatM = cap.flat(made.placeWo);
+        made.flatM = cap.flat(made.positionWo);
         cap.leastM = glm::min(cap.leastM, made.flatM);
         cap.greatestM = glm::max(cap.greatestM, made.flatM);
         corner[cluster] = static_cast<unsigned>(cap.vertices.size());
@@ -128,9 +128,9 @@ std::optional<ScalpCap> capOver(const CurveSet& set, const SampledHair& hair, st
     };
     const auto isBehind = [&](const glm::uvec3& triangle) {
         for (int i = 0; i < 3; ++i) {
-            const glm::vec3 placeWo =
+            const glm::vec3 positionWo =
                 pose.rotation * coarse.mesh.positionsHd[triangle[i]] + pose.positionWo - cap.middleWo;
-            if (glm::dot(placeWo, cap.axisWo) < kFarthestCosine * glm::length(placeWo))
+            if (glm::dot(positionWo, cap.axisWo) < kFarthestCosine * glm::length(positionWo))
                 return true;
         }
         return false;
@@ -142,8 +142,8 @@ std::optional<ScalpCap> capOver(const CurveSet& set, const SampledHair& hair, st
     // Where the coarse skin folds over, it is turned to face outward.
     for (glm::uvec3& triangle : cap.triangles) {
         const ScalpCap::Vertex& first = cap.vertices[triangle.x];
-        const glm::vec3 face = glm::cross(cap.vertices[triangle.y].placeWo - first.placeWo,
-                                          cap.vertices[triangle.z].placeWo - first.placeWo);
+        const glm::vec3 face = glm::cross(cap.vertices[triangle.y].positionWo - first.positionWo,
+                                          cap.vertices[triangle.z].positionWo - first.positionWo);
         if (glm::dot(face, first.normalWo) < 0.0F)
             std::swap(triangle.y, triangle.z);
     }

@@ -17,7 +17,7 @@ struct ScalpCap
 {
     struct Vertex
     {
-        glm::vec3 placeWo{0.0F};
+        glm::vec3 positionWo{0.0F};
         glm::vec3 normalWo{0.0F, 1.0F, 0.0F};
         glm::vec2 flatM{0.0F}; ///< See flat().
     };
@@ -33,7 +33,7 @@ struct ScalpCap
     /// Where a position lies on the flattened skin: as far from the middle as the angle from the axis tells, and at its
     /// own direction around it (azimuthal equidistant projection). Right is to the right, seen from outside, down is
     /// down.
-    [[nodiscard]] glm::vec2 flat(const glm::vec3& placeWo) const;
+    [[nodiscard]] glm::vec2 flat(const glm::vec3& positionWo) const;
     [[nodiscard]] glm::vec3 upWo() const; ///< What is up on the flattened skin, at the axis.
     /// 0..1 over its patch, v down; a coarser cap may reach over the borders of the finest, whose patch it shows.
     [[nodiscard]] glm::vec2 uv(const glm::vec2& flatM) const { return (flatM - leastM) / (greatestM - leastM); }

@@ -15,11 +15,11 @@ constexpr int kLiftRounds = 8;
 constexpr int kStepsAlong = 4;
 
 /// How a point has to move to be clear of the skin, Wo; 0 where it is.
-glm::vec3 wayOut(const sim::Skin& skin, const sim::HeadPose& pose, const glm::vec3& placeWo)
+glm::vec3 outward(const sim::Skin& skin, const sim::HeadPose& pose, const glm::vec3& positionWo)
 {
-    const glm::vec3 placeHd = glm::conjugate(pose.rotation) * (placeWo - pose.positionWo);
-    const sim::SurfacePoint near = skin.nearest(placeHd);
-    const float above = glm::dot(placeHd - near.positionHd, near.normalHd);
+    const glm::vec3 positionHd = glm::conjugate(pose.rotation) * (positionWo - pose.positionWo);
+    const sim::SurfacePoint near = skin.nearest(positionHd);
+    const float above = glm::dot(positionHd - near.positionHd, near.normalHd);
     if (above >= kClearanceM || above < -kDeepestM)
         return glm::vec3(0.0F);
     return pose.rotation * ((kClearanceM - above) * near.normalHd);
@@ -41,7 +41,7 @@ bool lifted(const sim::Skin& skin, const sim::HeadPose& pose, std::vector<StripN
                 const auto edge = [across](const StripNode& node) {
                     return node.middleWo + across * node.halfWidthM * node.sideWo;
                 };
-                const glm::vec3 move = wayOut(skin, pose, glm::mix(edge(nodes[n]), edge(nodes[n + 1]), part));
+                const glm::vec3 move = outward(skin, pose, glm::mix(edge(nodes[n]), edge(nodes[n + 1]), part));
                 if (move == glm::vec3(0.0F))
                     continue;
                 any = true;

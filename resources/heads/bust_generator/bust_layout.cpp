@@ -104,7 +104,7 @@ UvReport measured(const HalfMesh& half)
     report.scalpAreaRatio99 = quantile(scales, 0.995) / quantile(scales, 0.005);
     report.scalpStretch = quantile(stretches, 1.0);
     report.scalpStretch99 = quantile(stretches, 0.99);
-    report.scalpShare = scalpUv / allUv;
+    report.scalpFraction = scalpUv / allUv;
     return report;
 }
 

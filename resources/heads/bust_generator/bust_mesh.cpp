@@ -55,7 +55,7 @@ bool isUvFlipped(const HalfMesh& half, const Triangle& t)
 }
 
 // By grid index; the pole has all of ring 0.
-std::vector<std::uint32_t> verticesByPlace(const HalfMesh& half, const PolarGrid& grid)
+std::vector<std::uint32_t> verticesByPosition(const HalfMesh& half, const PolarGrid& grid)
 {
     std::vector<std::uint32_t> ids(grid.index(grid.rings(), grid.columns()) + 1, 0);
     for (std::size_t v = 0; v < half.indices.size(); ++v)
@@ -105,7 +105,7 @@ HalfMesh halfVertices(const PolarGrid& grid)
 void addTriangles(HalfMesh& half, const PolarGrid& grid)
 {
     const int columns = grid.columns();
-    const std::vector<std::uint32_t> ids = verticesByPlace(half, grid);
+    const std::vector<std::uint32_t> ids = verticesByPosition(half, grid);
     const auto id = [&](int ring, int column) { return ids[grid.index(ring, column)]; };
     const int poleStep = columnStep(1, columns);
     for (int j = 0; j < columns; j += poleStep)

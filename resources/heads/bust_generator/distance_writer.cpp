@@ -27,7 +27,7 @@ bool writeDistances(const sim::DistanceGrid& grid, const std::filesystem::path& 
         Z_OK)
         return false;
     const sim::GridLayout& layout = grid.layout();
-    const std::array<float, 4> place = {layout.originHd.x, layout.originHd.y, layout.originHd.z, layout.cellM};
+    const std::array<float, 4> header = {layout.originHd.x, layout.originHd.y, layout.originHd.z, layout.cellM};
     const std::array<std::int32_t, 3> size = {layout.size.x, layout.size.y, layout.size.z};
     const auto length = static_cast<std::uint32_t>(count);
     const std::array<std::uint8_t, 4> lengthBytes = {
@@ -37,7 +37,7 @@ bool writeDistances(const sim::DistanceGrid& grid, const std::filesystem::path& 
     const auto put = [&file](const void* bytes, std::size_t number) {
         file.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(number));
     };
-    put(place.data(), sizeof(place));
+    put(header.data(), sizeof(header));
     put(size.data(), sizeof(size));
     put(lengthBytes.data(), lengthBytes.size());
     put(packed.data(), packedSize);

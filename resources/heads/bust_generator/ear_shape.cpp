@@ -84,8 +84,8 @@ float ridge(const glm::vec2& position, std::span<const Bead> beads, float width)
 
 constexpr float scale = 0.95F; // of the ear's own lengths
 
-// Leaning back by 7 degrees, the lobe's place in front adding as much; rear edge 33 degrees away from the head's middle
-// plane. In the ear's own lengths.
+// Leaning back by 7 degrees, the lobe's position in front adding as much; rear edge 33 degrees away from the head's
+// middle plane. In the ear's own lengths.
 glm::vec3 toEar(const glm::vec3& folded)
 {
     const glm::vec3 q = turnedX(folded - glm::vec3(0.0725F, -0.0140F, -0.0100F), 7.0F);

@@ -14,7 +14,7 @@ public:
     explicit GridRelaxer(PolarGrid& grid);
 
     void measureRings();
-    // step: the part of the way to the neighbours' mean, 0 to 1.
+    // step: the fraction of the distance to the neighbours' mean, 0 to 1.
     void relax(int iterations, float step, const ShapeOptions& options);
 
 private:

@@ -93,7 +93,7 @@ int main(int argc, char** argv)
     print(carrying, mesh);
     std::printf("scalp: area scale %.2f (99 %%: %.2f), stretch %.2f (99 %%: %.2f), share %.1f %%, energy %.6g\n",
                 report.scalpAreaRatio, report.scalpAreaRatio99, report.scalpStretch, report.scalpStretch99,
-                100.0 * report.scalpShare, report.energy);
+                100.0 * report.scalpFraction, report.energy);
     std::vector<float> metres;
     metres.reserve(displacements.size());
     for (const std::int16_t micrometres : displacements)

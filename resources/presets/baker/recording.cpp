@@ -92,13 +92,13 @@ sim::SurfacePoint Recording::around(float degrees, float heightM) const
         {.originHd = {0.0F, heightM, kAxisForwardM}, .directionHd = {std::sin(angle), 0.0F, std::cos(angle)}});
 }
 
-Recording::Places Recording::along(std::span<const Seen> line) const
+Recording::Points Recording::along(std::span<const Seen> line) const
 {
-    Places places;
-    places.reserve(line.size());
+    Points points;
+    points.reserve(line.size());
     for (const Seen& seen : line)
-        places.push_back(around(seen.degrees, seen.heightM));
-    return places;
+        points.push_back(around(seen.degrees, seen.heightM));
+    return points;
 }
 
 sim::SurfacePoint Recording::above(float leftM, float forwardM) const
@@ -107,26 +107,26 @@ sim::SurfacePoint Recording::above(float leftM, float forwardM) const
     return *skin.pick({.originHd = {leftM, kHighM, forwardM}, .directionHd = {0.0F, -1.0F, 0.0F}});
 }
 
-Recording::Places Recording::level(float heightM, float fromDegrees, float toDegrees) const
+Recording::Points Recording::level(float heightM, float fromDegrees, float toDegrees) const
 {
     const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(toDegrees - fromDegrees) / kLevelStepDegrees)));
-    Places places;
-    places.reserve(static_cast<std::size_t>(steps) + 1);
+    Points points;
+    points.reserve(static_cast<std::size_t>(steps) + 1);
     for (int i = 0; i <= steps; ++i)
-        places.push_back(around(
+        points.push_back(around(
             fromDegrees + (toDegrees - fromDegrees) * static_cast<float>(i) / static_cast<float>(steps), heightM));
-    return places;
+    return points;
 }
 
-Recording::Places Recording::overHead(float leftM, float fromForwardM, float toForwardM) const
+Recording::Points Recording::overHead(float leftM, float fromForwardM, float toForwardM) const
 {
     const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(toForwardM - fromForwardM) / kOverStepM)));
-    Places places;
-    places.reserve(static_cast<std::size_t>(steps) + 1);
+    Points points;
+    points.reserve(static_cast<std::size_t>(steps) + 1);
     for (int i = 0; i <= steps; ++i)
-        places.push_back(above(leftM, fromForwardM + (toForwardM - fromForwardM) * static_cast<float>(i) /
+        points.push_back(above(leftM, fromForwardM + (toForwardM - fromForwardM) * static_cast<float>(i) /
                                                          static_cast<float>(steps)));
-    return places;
+    return points;
 }
 
 PaintValue Recording::length(float lengthM) const
@@ -161,34 +161,34 @@ void Recording::fill(MapKind map, const PaintValue& value)
     click(model::ToolId::Fill, map, above(0.0F, 0.0F));
 }
 
-void Recording::brush(MapKind map, const PaintValue& value, const Ring& ring, const Places& places)
+void Recording::brush(MapKind map, const PaintValue& value, const Ring& ring, const Points& points)
 {
     use(ring);
     m_settings.value(map) = value;
-    drag(model::ToolId::Brush, map, places);
+    drag(model::ToolId::Brush, map, points);
 }
 
-void Recording::erase(MapKind map, const Ring& ring, const Places& places)
+void Recording::erase(MapKind map, const Ring& ring, const Points& points)
 {
     use(ring);
-    drag(model::ToolId::Eraser, map, places);
+    drag(model::ToolId::Eraser, map, points);
 }
 
 void Recording::bands(MapKind map, const std::vector<Band>& bands, float fromDegrees, float toDegrees)
 {
     for (std::size_t i = 0; i < bands.size(); ++i) {
-        const Places places = level(bands[i].heightM, fromDegrees, toDegrees);
-        const Places next = level(bands[i + 1 < bands.size() ? i + 1 : i - 1].heightM, fromDegrees, toDegrees);
-        std::vector<float> apartM(places.size());
-        for (std::size_t place = 0; place < places.size(); ++place)
-            apartM[place] = glm::distance(places[place].positionHd, next[place].positionHd);
+        const Points points = level(bands[i].heightM, fromDegrees, toDegrees);
+        const Points next = level(bands[i + 1 < bands.size() ? i + 1 : i - 1].heightM, fromDegrees, toDegrees);
+        std::vector<float> apartM(points.size());
+        for (std::size_t point = 0; point < points.size(); ++point)
+            apartM[point] = glm::distance(points[point].positionHd, next[point].positionHd);
         // Not the widest: beside an ear a band would be as wide as the ear stands off.
         std::ranges::sort(apartM);
-        brush(map, bands[i].value, {.sizeM = 2.0F * apartM[apartM.size() * 3 / 4], .hardness = 0.0F}, places);
+        brush(map, bands[i].value, {.sizeM = 2.0F * apartM[apartM.size() * 3 / 4], .hardness = 0.0F}, points);
     }
 }
 
-void Recording::polygon(MapKind map, const PaintValue& value, const Places& outline)
+void Recording::polygon(MapKind map, const PaintValue& value, const Points& outline)
 {
     m_settings.value(map) = value;
     m_settings.opacity = 1.0F;
@@ -209,21 +209,21 @@ void Recording::rectangle(MapKind map, const PaintValue& value, glm::vec2 fromUv
     shape.release({.area = model::Area::Paint, .uv = toUv}, now);
 }
 
-void Recording::comb(float flatness, const Ring& ring, const Places& places)
+void Recording::comb(float flatness, const Ring& ring, const Points& points)
 {
     use(ring);
     m_settings.flatness = flatness;
-    drag(model::ToolId::Comb, MapKind::Direction, places);
+    drag(model::ToolId::Comb, MapKind::Direction, points);
 }
 
-void Recording::part(const Parting& parting, const Places& places)
+void Recording::part(const Parting& parting, const Points& points)
 {
     m_settings.partReachM = parting.reachM;
     m_settings.partGapM = parting.gapM;
     m_settings.flatness = parting.flatness;
     ++m_actions;
-    for (const sim::SurfacePoint& place : places)
-        click(model::ToolId::Part, MapKind::Direction, place);
+    for (const sim::SurfacePoint& point : points)
+        click(model::ToolId::Part, MapKind::Direction, point);
     model::ToolContext now = context(MapKind::Direction);
     tool(model::ToolId::Part).commit(now);
 }
@@ -260,38 +260,38 @@ void Recording::use(const Ring& ring)
     m_settings.opacity = ring.opacity;
 }
 
-void Recording::click(model::ToolId id, MapKind map, const sim::SurfacePoint& place)
+void Recording::click(model::ToolId id, MapKind map, const sim::SurfacePoint& point)
 {
     model::ToolContext now = context(map);
     m_seconds += kBetweenClicksSeconds;
-    tool(id).press(eventAt(place), now);
-    tool(id).release(eventAt(place), now);
+    tool(id).press(eventAt(point), now);
+    tool(id).release(eventAt(point), now);
 }
 
-void Recording::drag(model::ToolId id, MapKind map, const Places& places)
+void Recording::drag(model::ToolId id, MapKind map, const Points& points)
 {
     const sim::Skin& skin = *m_document.project().head->skin;
     model::ToolContext now = context(map);
     model::Tool& used = tool(id);
     ++m_actions;
     m_seconds += kBetweenClicksSeconds;
-    used.press(eventAt(places.front()), now);
-    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-        const auto place = [&](std::size_t index) { return places[std::min(index, places.size() - 1)].positionHd; };
-        const glm::vec3 from = place(i);
-        const glm::vec3 to = place(i + 1);
+    used.press(eventAt(points.front()), now);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const auto point = [&](std::size_t index) { return points[std::min(index, points.size() - 1)].positionHd; };
+        const glm::vec3 from = point(i);
+        const glm::vec3 to = point(i + 1);
         const auto steps = static_cast<int>(std::ceil(glm::distance(from, to) / kMouseStepM));
         for (int step = 1; step <= steps; ++step) {
             const float fraction = static_cast<float>(step) / static_cast<float>(steps);
-            used.move(eventAt(skin.nearest(between(place(i > 0 ? i - 1 : 0), from, to, place(i + 2), fraction))), now);
+            used.move(eventAt(skin.nearest(between(point(i > 0 ? i - 1 : 0), from, to, point(i + 2), fraction))), now);
         }
     }
-    used.release(eventAt(places.back()), now);
+    used.release(eventAt(points.back()), now);
 }
 
-model::ToolEvent Recording::eventAt(const sim::SurfacePoint& place) const
+model::ToolEvent Recording::eventAt(const sim::SurfacePoint& point) const
 {
-    return {.area = model::Area::Head, .uv = place.uv, .point = place, .seconds = m_seconds};
+    return {.area = model::Area::Head, .uv = point.uv, .point = point, .seconds = m_seconds};
 }
 
 } // namespace hairpaint::presets

@@ -46,11 +46,11 @@ struct Band
 /// What Hair > Add hair group > "Hair of the head" adds to the head of new projects.
 [[nodiscard]] model::HairGroup hairOfHead();
 
-/// Places are Hd, m: a user finds them by eye. Every action is one step of the document's undo. One thread.
+/// Points are Hd, m: a user finds them by eye. Every action is one step of the document's undo. One thread.
 class Recording
 {
 public:
-    using Places = std::vector<sim::SurfacePoint>;
+    using Points = std::vector<sim::SurfacePoint>;
 
     /// A new project with `grown` for its only group, and the maps at the styles' size.
     Recording(model::HairGroup grown, const sim::GroupSettings& settings);
@@ -66,13 +66,13 @@ public:
         float degrees, heightM;
     };
     [[nodiscard]] sim::SurfacePoint around(float degrees, float heightM) const;
-    [[nodiscard]] Places along(std::span<const Seen> line) const;
+    [[nodiscard]] Points along(std::span<const Seen> line) const;
     /// The skin as it is seen from above.
     [[nodiscard]] sim::SurfacePoint above(float leftM, float forwardM) const;
     /// Along a height, from the face to the back of the head unless told otherwise.
-    [[nodiscard]] Places level(float heightM, float fromDegrees = 0.0F, float toDegrees = 180.0F) const;
+    [[nodiscard]] Points level(float heightM, float fromDegrees = 0.0F, float toDegrees = 180.0F) const;
     /// Over the middle of the head, from the forehead to the nape, or to one side of it.
-    [[nodiscard]] Places overHead(float leftM, float fromForwardM, float toForwardM) const;
+    [[nodiscard]] Points overHead(float leftM, float fromForwardM, float toForwardM) const;
 
     [[nodiscard]] PaintValue length(float lengthM) const; ///< Of the length map.
 
@@ -82,18 +82,18 @@ public:
     void addLayer(MapKind map, model::BlendMode blend);
 
     void fill(MapKind map, const PaintValue& value); ///< Everywhere.
-    void brush(MapKind map, const PaintValue& value, const Ring& ring, const Places& places);
-    void erase(MapKind map, const Ring& ring, const Places& places);
+    void brush(MapKind map, const PaintValue& value, const Ring& ring, const Points& points);
+    void erase(MapKind map, const Ring& ring, const Points& points);
     /// A soft stroke along each height, wide enough to lead from one value to the next.
     void bands(MapKind map, const std::vector<Band>& bands, float fromDegrees = 0.0F, float toDegrees = 180.0F);
     /// What a freehand line goes around, filled.
-    void polygon(MapKind map, const PaintValue& value, const Places& outline);
+    void polygon(MapKind map, const PaintValue& value, const Points& outline);
     /// A filled rectangle on the layout.
     void rectangle(MapKind map, const PaintValue& value, glm::vec2 fromUv, glm::vec2 toUv);
-    /// Lays hair along the way.
-    void comb(float flatness, const Ring& ring, const Places& places);
+    /// Lays hair along the points.
+    void comb(float flatness, const Ring& ring, const Points& points);
     /// A click at each point, then Enter.
-    void part(const Parting& parting, const Places& places);
+    void part(const Parting& parting, const Points& points);
 
 private:
     [[nodiscard]] const model::HairGroup& group() const;
@@ -101,10 +101,10 @@ private:
     [[nodiscard]] model::Tool& tool(model::ToolId id);
     void push(model::CommandPtr command);
     void use(const Ring& ring);
-    void click(model::ToolId id, MapKind map, const sim::SurfacePoint& place);
+    void click(model::ToolId id, MapKind map, const sim::SurfacePoint& point);
     /// From point to point along a smooth curve over the skin, as a hand would.
-    void drag(model::ToolId id, MapKind map, const Places& places);
-    [[nodiscard]] model::ToolEvent eventAt(const sim::SurfacePoint& place) const;
+    void drag(model::ToolId id, MapKind map, const Points& points);
+    [[nodiscard]] model::ToolEvent eventAt(const sim::SurfacePoint& point) const;
 
     model::Document m_document;
     std::vector<std::unique_ptr<model::Tool>> m_tools = model::makeTools();

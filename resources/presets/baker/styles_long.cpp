@@ -99,13 +99,13 @@ Style twoPlaits()
                     user.fill(MapKind::Colour, colour(0xFF6A4C2E));
                     user.fill(MapKind::Length, user.length(0.28F));
                     // A side is a region; the parting between them stays free.
-                    Recording::Places side = user.overHead(0.0045F, -0.085F, 0.06F);
-                    for (const sim::SurfacePoint& place : user.along(kAroundHairline))
-                        side.push_back(place);
+                    Recording::Points side = user.overHead(0.0045F, -0.085F, 0.06F);
+                    for (const sim::SurfacePoint& point : user.along(kAroundHairline))
+                        side.push_back(point);
                     user.polygon(MapKind::Braid, braid(kPlait), side);
-                    Recording::Places middle = user.overHead(0.0F, 0.085F, -0.085F);
-                    for (const sim::SurfacePoint& place : user.along(kDownTheBack))
-                        middle.push_back(place);
+                    Recording::Points middle = user.overHead(0.0F, 0.085F, -0.085F);
+                    for (const sim::SurfacePoint& point : user.along(kDownTheBack))
+                        middle.push_back(point);
                     user.erase(MapKind::Density, {.sizeM = 0.0128F, .hardness = 0.95F}, middle);
                 }};
     style.settings.braidSpacingM = 0.6F;
@@ -130,7 +130,7 @@ Style splitDye()
                     user.fill(MapKind::Curl, scalar(1.0F));
                     user.fill(MapKind::Clump, scalar(0.3F));
                     // A clean parting, so that neither colour strays into the other; no lock has hair of both sides.
-                    Recording::Places middle = user.overHead(0.0F, 0.065F, -0.085F);
+                    Recording::Points middle = user.overHead(0.0F, 0.065F, -0.085F);
                     for (const float heightM : {0.05F, 0.02F})
                         middle.push_back(user.around(180.0F, heightM));
                     user.brush(MapKind::Clump, scalar(0.0F), {.sizeM = 0.03F, .hardness = 0.4F}, middle);

@@ -24,7 +24,7 @@ constexpr std::array<Recording::Seen, 13> kRidge{{{0.0F, 0.058F},
                                                   {180.0F, 0.045F}}};
 
 /// All around the head along its ridge, from the front over its left back to the front.
-Recording::Places aroundTop(const Recording& user)
+Recording::Points aroundTop(const Recording& user)
 {
     std::vector<Recording::Seen> line(kRidge.begin(), kRidge.end());
     for (std::size_t i = kRidge.size() - 1; i-- > 0;)
@@ -105,7 +105,7 @@ void slickBack(Recording& user, float flatness)
     user.comb(flatness, ring, user.along(kAlongRidge));
     user.comb(flatness, ring, user.along(kAboveRidge));
     for (const float leftM : {0.05F, 0.034F, 0.017F, 0.0F}) {
-        Recording::Places lane = user.overHead(leftM, 0.078F - 0.4F * leftM, -0.085F + 0.5F * leftM);
+        Recording::Points lane = user.overHead(leftM, 0.078F - 0.4F * leftM, -0.085F + 0.5F * leftM);
         if (leftM == 0.0F)
             for (const float heightM : {0.05F, 0.03F, 0.01F, -0.01F, -0.03F})
                 lane.push_back(user.around(180.0F, heightM));
@@ -147,7 +147,7 @@ Style mohawk()
                 .tags = {QStringLiteral("short"), QStringLiteral("gelled")},
                 .settings = settingsOf(0.15F, 0.10F, 0.0F),
                 .record = [](Recording& user) {
-                    Recording::Places crest = user.overHead(0.0F, 0.075F, -0.085F);
+                    Recording::Points crest = user.overHead(0.0F, 0.075F, -0.085F);
                     for (const float heightM : {0.05F, 0.03F, 0.01F, -0.01F, -0.03F, -0.05F, -0.065F})
                         crest.push_back(user.around(180.0F, heightM));
                     const Ring ring{.sizeM = 0.037F, .hardness = 0.9F};
@@ -160,7 +160,7 @@ Style mohawk()
                     user.fill(MapKind::Length, user.length(0.003F));
                     user.brush(MapKind::Length, user.length(0.115F), ring, crest);
                     // Lower and lower down the back.
-                    const Recording::Places last(crest.end() - 6, crest.end());
+                    const Recording::Points last(crest.end() - 6, crest.end());
                     for (std::size_t i = 0; i + 1 < last.size(); ++i)
                         user.brush(MapKind::Length, user.length(0.106F - 0.010F * static_cast<float>(i)),
                                    {.sizeM = ring.sizeM, .hardness = 0.7F}, {last[i], last[i + 1]});
@@ -199,7 +199,7 @@ Style slickedUndercut()
                 .tags = {QStringLiteral("short"), QStringLiteral("gelled")},
                 .settings = settingsOf(0.15F, 0.05F, 0.004F),
                 .record = [](Recording& user) {
-                    const Recording::Places top = aroundTop(user);
+                    const Recording::Points top = aroundTop(user);
                     user.setLayerOpacity(MapKind::Density, 0.95F);
                     user.fill(MapKind::Colour, colour(0xFF2C1D14));
                     user.fill(MapKind::Length, user.length(0.006F));

@@ -28,7 +28,7 @@ void CardLayer::upload(const std::shared_ptr<const CardSet>& cards)
     glBindVertexArray(m_vertexArray.id());
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_indices.id());
     glBindVertexBuffer(0, m_corners.id(), 0, sizeof(CardCorner));
-    glVertexAttribFormat(0, 3, GL_FLOAT, GL_FALSE, offsetof(CardCorner, placeHd));
+    glVertexAttribFormat(0, 3, GL_FLOAT, GL_FALSE, offsetof(CardCorner, positionHd));
     glVertexAttribFormat(1, 3, GL_FLOAT, GL_FALSE, offsetof(CardCorner, normalHd));
     glVertexAttribFormat(2, 3, GL_FLOAT, GL_FALSE, offsetof(CardCorner, tangentHd));
     glVertexAttribFormat(3, 3, GL_FLOAT, GL_FALSE, offsetof(CardCorner, colour));

@@ -1,4 +1,4 @@
-// How long frames take, without waiting for them.
+// Measures the time of frames without waiting for them.
 #pragma once
 
 #include "view/rendering/gl/gl_objects.h"

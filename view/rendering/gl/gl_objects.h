@@ -1,4 +1,5 @@
-// OpenGL names that delete themselves. The context they were made in must be current whenever they are used or die.
+// Owners of OpenGL names, which delete them. The context they were made in must be current whenever they are used or
+// die.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -50,7 +51,7 @@ using VertexArray = GlName<deleteVertexArray>;
 [[nodiscard]] Framebuffer makeFramebuffer();
 [[nodiscard]] VertexArray makeVertexArray();
 
-/// A buffer as large as what it was asked for last, or some times larger.
+/// A buffer of the requested size, or some times larger.
 class Buffer
 {
 public:

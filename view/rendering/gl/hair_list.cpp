@@ -43,7 +43,7 @@ bool HairList::update(const std::shared_ptr<const sim::Groom>& groom, float deta
 {
     if (groom == m_groom && detail == m_detail && wanted == m_wanted)
         return false;
-    // Where memory runs out half-way, the next call must not take this for a list.
+    // Where memory runs out in between, the next call must not take this for a list.
     const std::shared_ptr<const sim::Groom> before = std::exchange(m_groom, nullptr);
     if (groom != before) {
         m_parts.resize(groom->chunks.size());

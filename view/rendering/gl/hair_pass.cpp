@@ -73,7 +73,7 @@ HairPass::Report HairPass::uploadGroups(const std::shared_ptr<const sim::StrandF
 {
     Report report;
     m_visible.clear();
-    m_shares.clear();
+    m_fractions.clear();
     m_pieces.clear();
     m_nextPiece = 0;
     m_pointCount = 0;
@@ -108,7 +108,7 @@ HairPass::Report HairPass::uploadGroups(const std::shared_ptr<const sim::StrandF
         if (!held.ready() || held.list().strandCount() == 0)
             continue;
         m_visible.push_back(group.groom->groupId);
-        m_shares[group.groom->groupId] = {.fraction = fraction, .deep = deepFraction(m_depth, widthSp, fraction)};
+        m_fractions[group.groom->groupId] = {.fraction = fraction, .deep = deepFraction(m_depth, widthSp, fraction)};
         report.hairs += held.list().strandCount();
         report.segments += held.list().segmentCount();
     }
@@ -155,7 +155,7 @@ void HairPass::fillGrid(const FrameConstants& constants)
         m_splat.set("strandStep", step);
         m_splat.set("nodes", group.groom().nodes);
         m_splat.set("weight", group.groom().settings.material.widthM * static_cast<float>(step) /
-                                  (m_shares.at(id).fraction * kVoxelUnitM2));
+                                  (m_fractions.at(id).fraction * kVoxelUnitM2));
         dispatch((strands + step - 1) / step);
     }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -223,8 +223,8 @@ bool HairPass::projectPiece()
     m_shade.set("firstStrand", piece.firstStrand);
     m_shade.set("pointCount", piece.pointCount);
     m_shade.set("firstProjected", firstProjected);
-    m_shade.set("fraction", m_shares.at(groupId).fraction);
-    m_shade.set("deepFraction", m_shares.at(groupId).deep);
+    m_shade.set("fraction", m_fractions.at(groupId).fraction);
+    m_shade.set("deepFraction", m_fractions.at(groupId).deep);
     m_shade.set("undrawnCoverings", m_depth.undrawnCoverings);
     m_shade.set("inEveryColumn", m_depth.inEveryColumn ? 1 : 0);
     m_shade.set("material", glm::vec4(settings.material.shine, settings.material.roughness, settings.material.rootAlpha,

@@ -59,7 +59,7 @@ private:
         std::uint32_t firstProjected;
     };
     /// How a group is drawn in this picture.
-    struct Share
+    struct Fractions
     {
         float fraction; ///< Of its hairs that are drawn, as much wider,
         float deep;     ///< and of those where others hide them.
@@ -76,10 +76,10 @@ private:
     Buffer m_points;
     Buffer m_projected;
     Buffer m_voxels;
-    std::array<Texture, 2> m_opacity;    ///< Grids along the light and along the eye's rays.
-    std::map<int, HairBuffers> m_groups; ///< By the group's id.
-    std::vector<int> m_visible;          ///< Ids, in the frame's order.
-    std::map<int, Share> m_shares;       ///< By the group's id.
+    std::array<Texture, 2> m_opacity;     ///< Grids along the light and along the eye's rays.
+    std::map<int, HairBuffers> m_groups;  ///< By the group's id.
+    std::vector<int> m_visible;           ///< Ids, in the frame's order.
+    std::map<int, Fractions> m_fractions; ///< By the group's id.
     bool m_fine = false;
     DepthOfCoat m_depth{};
     std::size_t m_pointCount = 0;

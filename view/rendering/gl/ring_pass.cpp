@@ -24,14 +24,14 @@ void RingPass::draw(const FrameConstants& constants) const
     const glm::vec2 samples(constants.target.z, constants.target.w);
     const Program& program = m_programs.at(static_cast<std::size_t>(samples.x * samples.y) / 2);
     for (std::size_t ring = 0; ring < constants.ringWo.size(); ++ring) {
-        const glm::vec4& placed = constants.ringWo.at(ring);
-        const glm::vec4 clip = constants.projectionFromWo * glm::vec4(glm::vec3(placed), 1.0F);
-        if (placed.w <= 0.0F || clip.w <= 0.01F)
+        const glm::vec4& ringWo = constants.ringWo.at(ring);
+        const glm::vec4 clip = constants.projectionFromWo * glm::vec4(glm::vec3(ringWo), 1.0F);
+        if (ringWo.w <= 0.0F || clip.w <= 0.01F)
             continue;
         const glm::vec2 centrePx =
             (glm::vec2(clip) / clip.w * 0.5F + 0.5F) * glm::vec2(constants.target.x, constants.target.y) / samples;
         // The skin bends toward the eye here and there; and the line has a width.
-        const float reachPx = placed.w * constants.gridSize.z / clip.w / samples.y * 1.3F + 8.0F;
+        const float reachPx = ringWo.w * constants.gridSize.z / clip.w / samples.y * 1.3F + 8.0F;
         const glm::ivec2 low(glm::floor(centrePx - reachPx));
         const auto side = static_cast<int>(std::ceil(2.0F * reachPx)) + 1;
         glEnable(GL_SCISSOR_TEST);

@@ -33,12 +33,12 @@ SegmentsWanted segmentsWanted(const sim::GroupFrame& group, const FrameConstants
         return constants.gridSize.z / std::max((constants.projectionFromWo * glm::vec4(wo, 1.0F)).w, kNearestM);
     };
     std::size_t blocks = 0;
-    group.forEachPlacedBlock([&](std::size_t) { ++blocks; });
+    group.forEachPositionedBlock([&](std::size_t) { ++blocks; });
     const std::size_t step = std::max<std::size_t>(1, blocks / kBlocksMeasured);
     std::size_t number = 0;
     std::vector<float> bends; // Samples between a node and the middle of its neighbours, twice.
     float nearest = 0.0F;
-    group.forEachPlacedBlock([&](std::size_t block) {
+    group.forEachPositionedBlock([&](std::size_t block) {
         if (number++ % step != 0)
             return;
         for (std::size_t strand = block * sim::kLanes; strand < (block + 1) * sim::kLanes; ++strand) {

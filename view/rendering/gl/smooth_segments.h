@@ -1,4 +1,4 @@
-// In how many segments the GPU draws the strands of a group.
+// The number of segments in which the GPU draws the strands of a group.
 #pragma once
 
 #include "sim/motion/strand_frame.h"

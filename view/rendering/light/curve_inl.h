@@ -77,20 +77,21 @@ HWY_INLINE Triple<Lanes> braidedOffset(const StrandBlock& block, std::size_t lan
 }
 
 /// At fraction s of the hairs, m: along the frame's first axis and the second.
-HWY_INLINE Triple<Lanes> coilOffset(const StrandBlock& block, std::size_t lane, float s)
+HWY_INLINE Triple<Lanes> coilOffset(const StrandBlock& block, std::size_t lane, Lanes s)
 {
     const sim::CurlSettings& coils = *block.coils;
-    return of_lanes::coilOffset({.turns = loaded(block.turns.data() + lane),
-                                 .radiusM = loaded(block.curlRadiusM.data() + lane),
-                                 .phase = loaded(block.phase.data() + lane),
-                                 .chance = loaded(block.variation.data() + lane),
-                                 .lengthM = loaded(block.lengthM.data() + lane)},
-                                {.inStepFromM = Lanes(coils.inStepFromM),
-                                 .switchbacksPerM = Lanes(coils.switchbacksPerM),
-                                 .skips = Lanes(coils.skips),
-                                 .flatness = Lanes(coils.flatness),
-                                 .uncoil = Lanes(coils.uncoil)},
-                                Lanes(s));
+    return of_lanes::coilOffset(
+        {.turns = loaded(block.turns.data() + lane),
+         .radiusM = loaded(block.curlRadiusM.data() + lane),
+         .phase = loaded(block.phase.data() + lane),
+         .chance = loaded(block.variation.data() + lane),
+         .lengthM = loaded(block.lengthM.data() + lane) * (Lanes(1.0F) - loaded(block.braidStart.data() + lane))},
+        {.inStepFromM = Lanes(coils.inStepFromM),
+         .switchbacksPerM = Lanes(coils.switchbacksPerM),
+         .skips = Lanes(coils.skips),
+         .flatness = Lanes(coils.flatness),
+         .uncoil = Lanes(coils.uncoil)},
+        s);
 }
 
 /// Writes spans.total + 1 points [point][3][kMostLanes] of the lanes from `lane` on, Wo.
@@ -106,6 +107,8 @@ HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spa
     Triple<Lanes> p2 = node(1);
     Triple<Lanes> p0 = of_lanes::beyond(p1, p2);
     Triple<Lanes> p3 = nodes > 2 ? node(2) : of_lanes::beyond(p2, p1);
+    if (block.anyTaut)
+        p0 = select(loaded(block.taut.data() + lane) > Lanes(0.5F), of_lanes::beyondBent(p1, p2, p3), p0);
     Triple<Lanes> lastPoint = p1;
     Triple<Lanes> lastTangent = unit(p2 - p0);
     Triple<Lanes> reference = lastTangent;
@@ -154,14 +157,16 @@ HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spa
                                axis);
             }
             if (block.anyCurl && block.coils != nullptr) {
-                const Triple<Lanes> offset = coilOffset(block, lane, s);
+                const Lanes curledS = of_lanes::curledFraction(Lanes(s), loaded(block.braidStart.data() + lane));
+                const Triple<Lanes> offset = coilOffset(block, lane, curledS);
                 const Triple<Lanes> curled = axis + reference * offset.x + cross(tangent, reference) * offset.y;
                 point = block.anyBraid ? select(braided, point, curled) : curled;
             } else if (block.anyCurl) {
+                const Lanes curledS = of_lanes::curledFraction(Lanes(s), loaded(block.braidStart.data() + lane));
                 const Lanes angle =
-                    loaded(block.phase.data() + lane) + loaded(block.turns.data() + lane) * Lanes(kTwoPi * s);
+                    loaded(block.phase.data() + lane) + loaded(block.turns.data() + lane) * (Lanes(kTwoPi) * curledS);
                 const Triple<Lanes> offset = of_lanes::curlOffset(angle);
-                const Lanes r = of_lanes::curlRadius(loaded(block.curlRadiusM.data() + lane), Lanes(s));
+                const Lanes r = of_lanes::curlRadius(loaded(block.curlRadiusM.data() + lane), curledS);
                 const Triple<Lanes> curled =
                     axis + (reference * offset.x + cross(tangent, reference) * offset.y + tangent * offset.z) * r;
                 point = block.anyBraid ? select(braided, point, curled) : curled;

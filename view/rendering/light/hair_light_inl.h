@@ -21,7 +21,7 @@ namespace hairpaint::rendering::HWY_NAMESPACE {
 template<class F>
 struct HairPoint
 {
-    Triple<F> place;
+    Triple<F> position;
     Triple<F> tangent; ///< Unit, toward the tip.
     Triple<F> colour;  ///< Of a coat of such hair; linear, its own lightness in it already.
     Triple<F> depth;   ///< fibreDepth of it.
@@ -115,8 +115,8 @@ HWY_INLINE Triple<F> hairLight(const HairLighting& given, const HairPoint<F>& po
 {
     const F one(1.0F);
     CoatPoint<F> coat;
-    coat.view = unit(tripleOf<F>(given.eyeWo) - point.place);
-    coat.fromHead = point.place - tripleOf<F>(given.headWo);
+    coat.view = unit(tripleOf<F>(given.eyeWo) - point.position);
+    coat.fromHead = point.position - tripleOf<F>(given.headWo);
     const Triple<F> outward = coat.fromHead * (one / root(dot(coat.fromHead, coat.fromHead) + F(1e-8F)));
     // Halfway from the head's own form to the hair's.
     coat.normal = unit(outward * F(1.3F) - point.tangent * dot(outward, point.tangent));

@@ -83,8 +83,8 @@ HWY_INLINE FibreLobes<F> marschner(const FibreShape& shape, const FibreAngles<F>
         longitudinal(shape, 0, twiceSinH, height, sharpness) * reflectance(at.cosD * cosHalf) * cosHalf * F(0.25F);
     // Refraction bends inclined rays up, so that their path is at most 1/cos(40 degrees) longer.
     const F sinSquare = one - at.cosD * at.cosD;
-    const F way = one + sinSquare * (F(0.186F) + sinSquare * F(0.123F));
-    lobes.through = absorbed(depth * way);
+    const F path = one + sinSquare * (F(0.186F) + sinSquare * F(0.123F));
+    lobes.through = absorbed(depth * path);
     const F reflected = meanReflectance(at.cosD);
     const F entered = (one - reflected) * (one - reflected) * F(kCosinePowerPeak);
     const auto eighth = [](F x) {

@@ -18,8 +18,8 @@ namespace hairpaint::rendering::HWY_NAMESPACE {
 template<class F>
 struct SkinPoint
 {
-    Triple<F> placeHd;
-    Triple<F> placeWo;
+    Triple<F> positionHd;
+    Triple<F> positionWo;
     Triple<F> normalWo;
     F sky, lips, lids, blush;
     F pixelM;              ///< How far apart neighbouring pixels are on the skin.
@@ -81,12 +81,12 @@ HWY_INLINE Triple<Lanes> noiseGradient(const Triple<Lanes>& p)
 HWY_INLINE Triple<Lanes> grained(const SkinLighting& given, const SkinPoint<Lanes>& point, const Triple<Lanes>& n)
 {
     constexpr float kCellsM[2] = {0.0016F, 0.0007F};
-    constexpr float kShares[2] = {0.045F, 0.09F};
+    constexpr float kSlopes[2] = {0.045F, 0.09F};
     Triple<Lanes> slope = tripleOf<Lanes>(glm::vec3(0.0F));
     for (int i = 0; i < 2; ++i) {
         const Lanes seen = Lanes(1.0F) - smoothStep(0.2F, 0.5F, point.pixelM * Lanes(1.0F / kCellsM[i]));
         if (any(seen > Lanes(0.0F)))
-            slope = slope + noiseGradient(point.placeHd * Lanes(1.0F / kCellsM[i])) * (seen * Lanes(kShares[i]));
+            slope = slope + noiseGradient(point.positionHd * Lanes(1.0F / kCellsM[i])) * (seen * Lanes(kSlopes[i]));
     }
     const glm::mat3& m = given.woFromHd;
     const auto row = [&](int r) {
@@ -112,7 +112,7 @@ HWY_INLINE Triple<Lanes> skinLight(const SkinLighting& given, const SkinPoint<La
     using F = Lanes;
     const F one(1.0F);
     const F zero(0.0F);
-    const Triple<F> v = unit(tripleOf<F>(given.eyeWo) - point.placeWo);
+    const Triple<F> v = unit(tripleOf<F>(given.eyeWo) - point.positionWo);
     const Triple<F> smooth = unit(point.normalWo);
     const Triple<F> n = given.grain > 0.0F ? grained(given, point, smooth) : smooth;
     const auto mixedWith = [&](const Triple<F>& a, glm::vec3 b, F t) { return a + (tripleOf<F>(b) - a) * t; };
@@ -158,13 +158,13 @@ HWY_INLINE Triple<Lanes> skinLight(const SkinLighting& given, const SkinPoint<La
 
 /// Light that comes through the hair between a point and the end of a grid. What is blended between neighbours is the
 /// light, not the hair: a plait holds so much of it that the least part of its voxel would be dark.
-HWY_INLINE Lanes lightThrough(const std::uint32_t* grid, int side, const Triple<Lanes>& place, float strength)
+HWY_INLINE Lanes lightThrough(const std::uint32_t* grid, int side, const Triple<Lanes>& position, float strength)
 {
     const IntTag di;
     const auto size = static_cast<float>(side);
-    const Lanes atX = clamped(place.x * Lanes(size) - Lanes(0.5F), -1.0F, size);
-    const Lanes atY = clamped(place.y * Lanes(size) - Lanes(0.5F), -1.0F, size);
-    const Lanes atZ = clamped(place.z * Lanes(size) - Lanes(0.5F), -1.0F, size);
+    const Lanes atX = clamped(position.x * Lanes(size) - Lanes(0.5F), -1.0F, size);
+    const Lanes atY = clamped(position.y * Lanes(size) - Lanes(0.5F), -1.0F, size);
+    const Lanes atZ = clamped(position.z * Lanes(size) - Lanes(0.5F), -1.0F, size);
     const Lanes lowX = floored(atX);
     const Lanes lowY = floored(atY);
     const Lanes lowZ = floored(atZ);

@@ -20,10 +20,10 @@ glm::vec3 CardLight::on(const CardCorner& corner) const
     lighting.highlightExponent = highlightExponent(corner.roughness);
     const auto triple = [](const glm::vec3& v) { return simd::Triple<float>{v.x, v.y, v.z}; };
     const glm::vec3 positionWo =
-        glm::vec3(m_constants.woFromHd * glm::vec4(corner.placeHd, 1.0F)) + kRoundM * (turn * corner.normalHd);
+        glm::vec3(m_constants.woFromHd * glm::vec4(corner.positionHd, 1.0F)) + kRoundM * (turn * corner.normalHd);
     const glm::vec3 colour = glm::clamp(corner.colour, 0.004F, 1.0F);
     const simd::Triple<float> lit =
-        simd::hairLight(lighting, simd::HairPoint<float>{.place = triple(positionWo),
+        simd::hairLight(lighting, simd::HairPoint<float>{.position = triple(positionWo),
                                                          .tangent = triple(turn * corner.tangentHd),
                                                          .colour = triple(colour),
                                                          .depth = simd::fibreDepth(triple(colour)),

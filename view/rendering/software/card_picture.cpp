@@ -43,7 +43,7 @@ std::size_t levelFor(const CardSet& cards, float texels)
 
 } // namespace
 
-void CardPicture::place(const CardSet& cards, const FrameConstants& constants)
+void CardPicture::transform(const CardSet& cards, const FrameConstants& constants)
 {
     m_cards = &cards;
     m_corners.resize(cards.corners.size());
@@ -51,7 +51,8 @@ void CardPicture::place(const CardSet& cards, const FrameConstants& constants)
     sim::parallelFor(m_corners.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const CardCorner& given = cards.corners[i];
-            const glm::vec4 clip = constants.projectionFromWo * (constants.woFromHd * glm::vec4(given.placeHd, 1.0F));
+            const glm::vec4 clip =
+                constants.projectionFromWo * (constants.woFromHd * glm::vec4(given.positionHd, 1.0F));
             ProjectedVertex& corner = m_corners[i];
             corner.perDistance = clip.w > kNearestCardM ? 1.0F / clip.w : 0.0F;
             corner.x = (clip.x * corner.perDistance * 0.5F + 0.5F) * constants.target.x;

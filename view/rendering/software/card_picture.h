@@ -23,7 +23,7 @@ class CardPicture
 {
 public:
     /// Projects and lights the corners. `cards` must outlive what is drawn of it.
-    void place(const CardSet& cards, const FrameConstants& constants);
+    void transform(const CardSet& cards, const FrameConstants& constants);
     /// False where none of it lies in the band. Several threads may draw bands.
     bool drawBand(const CardBand& band) const;
 

@@ -33,14 +33,14 @@ HWY_INLINE Triple<Lanes> inEyeGrid(const EyeGrid& grid, Lanes x, Lanes y, Lanes 
 }
 
 /// Where a point lies between the middles of voxels; the outermost ones go on.
-struct GridPlace
+struct GridPosition
 {
     Ints first; ///< Number of the lowest voxel.
     Lanes x, y, z;
 };
 
 /// `slices` voxels along z are looked up from there.
-HWY_INLINE GridPlace placeIn(int side, const Triple<Lanes>& place, int slices)
+HWY_INLINE GridPosition positionIn(int side, const Triple<Lanes>& position, int slices)
 {
     const IntTag di;
     const auto size = static_cast<float>(side);
@@ -50,10 +50,10 @@ HWY_INLINE GridPlace placeIn(int side, const Triple<Lanes>& place, int slices)
         part = at - low;
         return hn::ConvertTo(di, low.v);
     };
-    GridPlace found;
-    const Ints x = along(place.x, size - 1.001F, found.x);
-    const Ints y = along(place.y, size - 1.001F, found.y);
-    const Ints z = along(place.z, size - static_cast<float>(slices) + 0.999F, found.z);
+    GridPosition found;
+    const Ints x = along(position.x, size - 1.001F, found.x);
+    const Ints y = along(position.y, size - 1.001F, found.y);
+    const Ints z = along(position.z, size - static_cast<float>(slices) + 0.999F, found.z);
     found.first = hn::Add(hn::Mul(hn::Add(hn::Mul(z, hn::Set(di, side)), y), hn::Set(di, side)), x);
     return found;
 }
@@ -63,30 +63,30 @@ struct SliceOpacity
 {
     Lanes mixed, least;
 };
-HWY_INLINE SliceOpacity columnsAt(const std::uint32_t* grid, int side, const GridPlace& place, int slice)
+HWY_INLINE SliceOpacity columnsAt(const std::uint32_t* grid, int side, const GridPosition& position, int slice)
 {
     const IntTag di;
     const auto* from = reinterpret_cast<const std::int32_t*>(grid) + slice * side * side;
     const auto along = [&](int row) -> SliceOpacity {
-        const Ints pair = hn::GatherIndex(di, from + row * side, place.first);
+        const Ints pair = hn::GatherIndex(di, from + row * side, position.first);
         const Lanes low(hn::ConvertTo(Tag(), hn::And(pair, hn::Set(di, 0xFFFF))));
         const Lanes high(hn::ConvertTo(Tag(), hn::And(hn::ShiftRight<16>(pair), hn::Set(di, 0xFFFF))));
-        return {mixed(low, high, place.x), least(low, high)};
+        return {mixed(low, high, position.x), least(low, high)};
     };
     const SliceOpacity low = along(0);
     const SliceOpacity high = along(1);
     const Lanes unit(1.0F / kGridUnits);
-    return {mixed(low.mixed, high.mixed, place.y) * unit, least(low.least, high.least) * unit};
+    return {mixed(low.mixed, high.mixed, position.y) * unit, least(low.least, high.least) * unit};
 }
 
-HWY_INLINE Lanes sliceAt(const std::uint32_t* grid, int side, const GridPlace& place, int slice)
+HWY_INLINE Lanes sliceAt(const std::uint32_t* grid, int side, const GridPosition& position, int slice)
 {
-    return columnsAt(grid, side, place, slice).mixed;
+    return columnsAt(grid, side, position, slice).mixed;
 }
 
-HWY_INLINE Lanes opacityAt(const std::uint32_t* grid, int side, const Triple<Lanes>& place)
+HWY_INLINE Lanes opacityAt(const std::uint32_t* grid, int side, const Triple<Lanes>& position)
 {
-    const GridPlace at = placeIn(side, place, 2);
+    const GridPosition at = positionIn(side, position, 2);
     return mixed(sliceAt(grid, side, at, 0), sliceAt(grid, side, at, 1), at.z);
 }
 
@@ -96,9 +96,9 @@ struct OpacityTwice
     Lanes here, further;
     Lanes inEveryColumn; ///< Here: so much in each of the columns around.
 };
-HWY_INLINE OpacityTwice opacityTwice(const std::uint32_t* grid, int side, const Triple<Lanes>& place)
+HWY_INLINE OpacityTwice opacityTwice(const std::uint32_t* grid, int side, const Triple<Lanes>& position)
 {
-    const GridPlace at = placeIn(side, place, 3);
+    const GridPosition at = positionIn(side, position, 3);
     const SliceOpacity near = columnsAt(grid, side, at, 0);
     const SliceOpacity middle = columnsAt(grid, side, at, 1);
     return {mixed(near.mixed, middle.mixed, at.z), mixed(middle.mixed, sliceAt(grid, side, at, 2), at.z),
@@ -106,9 +106,9 @@ HWY_INLINE OpacityTwice opacityTwice(const std::uint32_t* grid, int side, const 
 }
 
 /// All of the column that the point lies in.
-HWY_INLINE Lanes columnAt(const std::uint32_t* grid, int side, const Triple<Lanes>& place)
+HWY_INLINE Lanes columnAt(const std::uint32_t* grid, int side, const Triple<Lanes>& position)
 {
-    return sliceAt(grid, side, placeIn(side, {place.x, place.y, Lanes(0.0F)}, 2), side - 1);
+    return sliceAt(grid, side, positionIn(side, {position.x, position.y, Lanes(0.0F)}, 2), side - 1);
 }
 
 } // namespace hairpaint::rendering::HWY_NAMESPACE

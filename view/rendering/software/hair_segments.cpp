@@ -38,7 +38,8 @@ void setStyle(StrandBlock& block, std::size_t lane, const sim::StrandStyle& styl
         block.tipColour[c][lane] = byteOf(style.tipColour, 8 * c);
     }
     block.braid[lane] = braided ? static_cast<float>(style.braid) : 0.0F;
-    block.wisp[lane] = static_cast<float>(style.wisp);
+    block.wisp[lane] = static_cast<float>(style.wispNumber());
+    block.taut[lane] = style.isTaut() ? 1.0F : 0.0F;
     block.braidRadiusM[lane] = style.braidRadiusM;
     block.braidStart[lane] = style.braidStart;
     block.braidTurns[lane] = style.braidTurns;
@@ -52,6 +53,7 @@ void setStyle(StrandBlock& block, std::size_t lane, const sim::StrandStyle& styl
     block.shine[lane] = gloss.shine;
     block.sharpness[lane] = gloss.sharpness;
     block.perTaper[lane] = sim::perTaperOf(material, style.lengthM);
+    block.anyTaut = block.anyTaut || style.isTaut();
     block.anyCurl = block.anyCurl || curled;
     block.anyBraid = block.anyBraid || braided;
 }
@@ -83,6 +85,7 @@ void fillBlock(StrandBlock& block, const sim::GroupFrame& group, std::span<const
     block.nodes = groom.nodes;
     block.coils = sim::coilsOf(groom.settings);
     block.anyBraid = false;
+    block.anyTaut = false;
     block.anyCurl = false;
     block.anyFrizz = false;
     const auto nodes = static_cast<std::size_t>(groom.nodes);

@@ -21,12 +21,12 @@ constexpr std::int32_t kVertexFloats = sizeof(HeadVertex) / sizeof(float);
 constexpr int kNoTriangle = -1;
 
 /// Sixteen points in a sample at which its cover is taken, each alone in its row and column.
-alignas(64) constexpr float kPlaceX[kMostLanes] = {0.53125F, 0.78125F, 0.21875F, 0.96875F, 0.34375F, 0.65625F,
-                                                   0.09375F, 0.84375F, 0.46875F, 0.03125F, 0.71875F, 0.28125F,
-                                                   0.90625F, 0.15625F, 0.59375F, 0.40625F};
-alignas(64) constexpr float kPlaceY[kMostLanes] = {0.03125F, 0.09375F, 0.15625F, 0.21875F, 0.28125F, 0.34375F,
-                                                   0.40625F, 0.46875F, 0.53125F, 0.59375F, 0.65625F, 0.71875F,
-                                                   0.78125F, 0.84375F, 0.90625F, 0.96875F};
+alignas(64) constexpr float kSampleX[kMostLanes] = {0.53125F, 0.78125F, 0.21875F, 0.96875F, 0.34375F, 0.65625F,
+                                                    0.09375F, 0.84375F, 0.46875F, 0.03125F, 0.71875F, 0.28125F,
+                                                    0.90625F, 0.15625F, 0.59375F, 0.40625F};
+alignas(64) constexpr float kSampleY[kMostLanes] = {0.03125F, 0.09375F, 0.15625F, 0.21875F, 0.28125F, 0.34375F,
+                                                    0.40625F, 0.46875F, 0.53125F, 0.59375F, 0.65625F, 0.71875F,
+                                                    0.78125F, 0.84375F, 0.90625F, 0.96875F};
 
 /// A side of a triangle: a x + b y + c, over 0 inside.
 struct Side
@@ -75,8 +75,8 @@ HWY_INLINE void rasterTriangle(const HeadBand& band, std::uint32_t number, BandS
             const auto dy = static_cast<float>(y - low);
             std::uint32_t inside = 0;
             for (std::size_t lane = 0; lane < kMostLanes; lane += hn::Lanes(Tag())) {
-                const Lanes px = loaded(kPlaceX + lane) + Lanes(dx);
-                const Lanes py = loaded(kPlaceY + lane) + Lanes(dy);
+                const Lanes px = loaded(kSampleX + lane) + Lanes(dx);
+                const Lanes py = loaded(kSampleY + lane) + Lanes(dy);
                 const auto on = [&](const Side& side) {
                     return px * Lanes(side.a) + py * Lanes(side.b) + Lanes(side.c);
                 };
@@ -141,9 +141,9 @@ HWY_INLINE void lightSamples(const HeadBand& band, const std::int32_t* xs, const
         p = p * perSum;
     const auto blended = [&](int f) { return field(0, f) * part[0] + field(1, f) * part[1] + field(2, f) * part[2]; };
     SkinPoint<Lanes> point;
-    point.placeWo = {blended(3), blended(4), blended(5)};
+    point.positionWo = {blended(3), blended(4), blended(5)};
     point.normalWo = {blended(6), blended(7), blended(8)};
-    point.placeHd = {blended(9), blended(10), blended(11)};
+    point.positionHd = {blended(9), blended(10), blended(11)};
     point.sky = blended(12);
     point.lips = blended(13);
     point.lids = blended(14);
@@ -154,7 +154,7 @@ HWY_INLINE void lightSamples(const HeadBand& band, const std::int32_t* xs, const
         point.untinted = Lanes(1.0F) - blended(19);
     }
     Triple<Lanes> normal = unit(point.normalWo);
-    const Triple<Lanes> toEye = unit(tripleOf<Lanes>(band.lighting.eyeWo) - point.placeWo);
+    const Triple<Lanes> toEye = unit(tripleOf<Lanes>(band.lighting.eyeWo) - point.positionWo);
     const Lanes facing = dot(normal, toEye);
     point.normalWo = select(facing < Lanes(-0.3F), normal * Lanes(-1.0F), normal);
     const Lanes distance = Lanes(1.0F) / most(sum, Lanes(1e-6F));
@@ -243,7 +243,7 @@ HWY_INLINE bool isHeadIn(const ShadeTask& task, int row, int cell, int count)
 
 void shadeRows(const ShadeTask& task, int begin, int end)
 {
-    constexpr float kPlaces[5][2] = {{0.5F, 0.5F}, {0.1F, 0.1F}, {0.9F, 0.1F}, {0.1F, 0.9F}, {0.9F, 0.9F}};
+    constexpr float kCellPoints[5][2] = {{0.5F, 0.5F}, {0.1F, 0.1F}, {0.9F, 0.1F}, {0.1F, 0.9F}, {0.9F, 0.9F}};
     const std::size_t step = hn::Lanes(Tag());
     for (int row = begin; row < end; ++row)
         for (int cell = 0; cell < task.across; cell += static_cast<int>(step)) {
@@ -257,14 +257,14 @@ void shadeRows(const ShadeTask& task, int begin, int end)
             for (int i = 0; i < count; ++i) {
                 atX[i] = (static_cast<float>(cell + i) + 0.5F) * static_cast<float>(task.cellSp.x);
                 atY[i] = (static_cast<float>(row) + 0.5F) * static_cast<float>(task.cellSp.y);
-                for (const auto& place : kPlaces) {
+                for (const auto& position : kCellPoints) {
                     if (!near)
                         break;
-                    const int x = std::min(
-                        static_cast<int>((static_cast<float>(cell + i) + place[0]) * static_cast<float>(task.cellSp.x)),
-                        task.width - 1);
+                    const int x = std::min(static_cast<int>((static_cast<float>(cell + i) + position[0]) *
+                                                            static_cast<float>(task.cellSp.x)),
+                                           task.width - 1);
                     const int y = std::min(
-                        static_cast<int>((static_cast<float>(row) + place[1]) * static_cast<float>(task.cellSp.y)),
+                        static_cast<int>((static_cast<float>(row) + position[1]) * static_cast<float>(task.cellSp.y)),
                         task.height - 1);
                     const float here =
                         task.distancesM[static_cast<std::size_t>(y) * static_cast<std::size_t>(task.width) +

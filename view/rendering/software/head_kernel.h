@@ -17,9 +17,9 @@ struct HeadVertex
 {
     float x = 0.0F, y = 0.0F; ///< Samples.
     float perDistance = 0.0F; ///< 1/m; 0 where it lies behind the eye.
-    glm::vec3 placeWo{0.0F};
+    glm::vec3 positionWo{0.0F};
     glm::vec3 normalWo{0.0F};
-    glm::vec3 placeHd{0.0F};
+    glm::vec3 positionHd{0.0F};
     float sky = 1.0F, lips = 0.0F, lids = 0.0F, blush = 0.0F; ///< 0..1
     glm::vec4 tint{0.0F};                                     ///< See ScalpTint::Texel.
 };

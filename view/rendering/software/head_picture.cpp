@@ -21,9 +21,9 @@ glm::vec3 turnedBy(glm::vec4 q, glm::vec3 p)
 }
 
 /// As head.vert does.
-struct VertexPlacer
+struct VertexTransform
 {
-    explicit VertexPlacer(const FrameConstants& frame) : constants(frame), turn(frame.woFromHd) {}
+    explicit VertexTransform(const FrameConstants& frame) : constants(frame), turn(frame.woFromHd) {}
 
     [[nodiscard]] HeadVertex at(glm::vec3 hd, glm::vec3 normalHd, sim::SkinMarks marks) const
     {
@@ -41,9 +41,9 @@ struct VertexPlacer
         vertex.perDistance = clip.w > kNearestHeadM ? 1.0F / clip.w : 0.0F;
         vertex.x = (clip.x * vertex.perDistance * 0.5F + 0.5F) * constants.target.x;
         vertex.y = (clip.y * vertex.perDistance * 0.5F + 0.5F) * constants.target.y;
-        vertex.placeWo = glm::vec3(wo);
+        vertex.positionWo = glm::vec3(wo);
         vertex.normalWo = turn * turnedBy(back, normalHd);
-        vertex.placeHd = hd;
+        vertex.positionHd = hd;
         vertex.sky = static_cast<float>(marks.sky) * kByte;
         vertex.lips = static_cast<float>(marks.lips) * kByte;
         vertex.lids = static_cast<float>(marks.lids) * kByte;
@@ -57,7 +57,7 @@ struct VertexPlacer
 
 /// Calls vertex(i) for all of a mesh.
 template<typename Vertex>
-void placeInto(std::vector<HeadVertex>& vertices, std::size_t count, const Vertex& vertex)
+void transformInto(std::vector<HeadVertex>& vertices, std::size_t count, const Vertex& vertex)
 {
     vertices.resize(count);
     sim::parallelFor(count, 4096, [&](std::size_t begin, std::size_t end) {
@@ -92,7 +92,7 @@ void HeadPicture::update(const Scene& scene, bool coarse, const FrameConstants& 
     ScalpTintSources tintSources = scalpTintSources(scene.hair.get());
     if (sameView && !m_isCoarse && tintSources == m_tintSources)
         return;
-    m_width = 0; // Where memory runs out half-way, there is no picture.
+    m_width = 0; // Where memory runs out in between, there is no picture.
     m_isCoarse = !sameView && coarse && scene.headInMotion && scene.head;
     m_tintSources = std::move(tintSources);
     const auto width = static_cast<int>(constants.target.x);
@@ -109,9 +109,9 @@ void HeadPicture::update(const Scene& scene, bool coarse, const FrameConstants& 
     }
     m_solids = scene.solids;
     mesh.tint.update(shown, m_tintSources);
-    placeParts(mesh, constants, height);
+    transformParts(mesh, constants, height);
     if (scene.cards)
-        m_cardPicture.place(*scene.cards, constants);
+        m_cardPicture.transform(*scene.cards, constants);
     HeadBand whole;
     whole.width = width;
     whole.samplesPerM = constants.gridSize.z;
@@ -140,18 +140,18 @@ void HeadPicture::update(const Scene& scene, bool coarse, const FrameConstants& 
     m_height = height;
 }
 
-void HeadPicture::placeParts(const Mesh& mesh, const FrameConstants& constants, int height)
+void HeadPicture::transformParts(const Mesh& mesh, const FrameConstants& constants, int height)
 {
-    const VertexPlacer placer(constants);
+    const VertexTransform transform(constants);
     const std::shared_ptr<const sim::HeadMesh>& head = mesh.source;
     m_parts.resize(std::size_t{head ? 1U : 0U} + m_solids.size());
     auto part = m_parts.begin();
     if (head) {
         const std::span<const ScalpTint::Texel> tints = mesh.tint.texels();
         part->isTinted = !tints.empty();
-        placeInto(part->vertices, head->positionsHd.size(), [&](std::size_t i) {
-            HeadVertex vertex = placer.at(head->positionsHd[i], head->normalsHd[i],
-                                          head->marks.empty() ? sim::SkinMarks{} : head->marks[i]);
+        transformInto(part->vertices, head->positionsHd.size(), [&](std::size_t i) {
+            HeadVertex vertex = transform.at(head->positionsHd[i], head->normalsHd[i],
+                                             head->marks.empty() ? sim::SkinMarks{} : head->marks[i]);
             if (part->isTinted)
                 vertex.tint = glm::vec4(tints[i]) * (1.0F / 65535.0F);
             return vertex;
@@ -170,10 +170,10 @@ void HeadPicture::placeParts(const Mesh& mesh, const FrameConstants& constants, 
         const sim::HeadMesh& body = *solid.mesh;
         const glm::quat& q = solid.shape.rotation;
         const glm::vec4 rotation(q.x, q.y, q.z, q.w);
-        placeInto(part->vertices, body.positionsHd.size(), [&](std::size_t i) {
+        transformInto(part->vertices, body.positionsHd.size(), [&](std::size_t i) {
             const glm::vec3 normal = body.normalsHd[i] / solid.shape.semiAxesM;
-            return placer.at(solid.shape.centreHd + turnedBy(rotation, body.positionsHd[i] * solid.shape.semiAxesM),
-                             turnedBy(rotation, normal / std::sqrt(glm::dot(normal, normal))), sim::SkinMarks{});
+            return transform.at(solid.shape.centreHd + turnedBy(rotation, body.positionsHd[i] * solid.shape.semiAxesM),
+                                turnedBy(rotation, normal / std::sqrt(glm::dot(normal, normal))), sim::SkinMarks{});
         });
         part->triangles = body.triangles;
         part->isTinted = false;

@@ -49,7 +49,7 @@ private:
         std::vector<std::uint32_t> bandTriangles;
         void sortIntoBands(bool closed, int height);
     };
-    void placeParts(const Mesh& head, const FrameConstants& constants, int height);
+    void transformParts(const Mesh& head, const FrameConstants& constants, int height);
     /// Whether there is anything of head and solids in the band.
     bool drawParts(HeadBand band, std::size_t number) const;
 

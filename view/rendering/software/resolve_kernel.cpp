@@ -78,14 +78,14 @@ struct RowOfCells
     {
         const IntTag di;
         const auto most = static_cast<float>(last - first);
-        const Lanes place = clamped((x + Lanes(0.5F)) * Lanes(1.0F / static_cast<float>(resolve.shadeCell)) -
-                                        Lanes(0.5F + static_cast<float>(first)),
-                                    0.0F, most);
-        const Lanes low = floored(place);
+        const Lanes position = clamped((x + Lanes(0.5F)) * Lanes(1.0F / static_cast<float>(resolve.shadeCell)) -
+                                           Lanes(0.5F + static_cast<float>(first)),
+                                       0.0F, most);
+        const Lanes low = floored(position);
         const auto valueAt = [&](Lanes number) {
             return Lanes(hn::GatherIndex(Tag(), values.data(), hn::ConvertTo(di, number.v)));
         };
-        return mixed(valueAt(low), valueAt(least(low + Lanes(1.0F), Lanes(most))), place - low);
+        return mixed(valueAt(low), valueAt(least(low + Lanes(1.0F), Lanes(most))), position - low);
     }
 };
 

@@ -68,14 +68,14 @@ HWY_INLINE Lanes distance(const Triple<Lanes>& a, const Triple<Lanes>& b)
     return root(dot(step, step));
 }
 
-HWY_INLINE Ints voxelAt(const Triple<Lanes>& place)
+HWY_INLINE Ints voxelAt(const Triple<Lanes>& position)
 {
     const IntTag di;
     const auto along = [&](Lanes p) {
         return hn::ConvertTo(di, clamped(p, 0.0F, static_cast<float>(kGridSide) - 0.5F).v);
     };
     const Ints side = hn::Set(di, kGridSide);
-    return hn::Add(hn::Mul(hn::Add(hn::Mul(along(place.z), side), along(place.y)), side), along(place.x));
+    return hn::Add(hn::Mul(hn::Add(hn::Mul(along(position.z), side), along(position.y)), side), along(position.x));
 }
 
 /// A node of some strands, one a lane, as the grids have it.
@@ -129,14 +129,14 @@ HWY_INLINE void splatSpan(const SplatTask& task, const SplatNode& a, const Splat
         const Triple<Lanes> aside{jitter(random), jitter(hn::ShiftRight<10>(random)),
                                   jitter(hn::ShiftRight<20>(random))};
         const Lanes t = Lanes(static_cast<float>(n) + 0.5F) / steps;
-        HWY_ALIGN std::int32_t places[2][kMostLanes];
+        HWY_ALIGN std::int32_t cells[2][kMostLanes];
         for (std::size_t grid = 0; grid < 2; ++grid)
-            hn::Store(voxelAt(a.inGrid[grid] + (b.inGrid[grid] - a.inGrid[grid]) * t + aside), di, places[grid]);
+            hn::Store(voxelAt(a.inGrid[grid] + (b.inGrid[grid] - a.inGrid[grid]) * t + aside), di, cells[grid]);
         for (int i = 0; i < used; ++i) {
             if (n >= counts[i])
                 continue;
-            voxels[places[0][i]] += static_cast<std::uint32_t>(areas[i]);
-            voxels[kVoxelsOfGrid + static_cast<std::size_t>(places[1][i])] += static_cast<std::uint32_t>(seenAreas[i]);
+            voxels[cells[0][i]] += static_cast<std::uint32_t>(areas[i]);
+            voxels[kVoxelsOfGrid + static_cast<std::size_t>(cells[1][i])] += static_cast<std::uint32_t>(seenAreas[i]);
         }
     }
 }

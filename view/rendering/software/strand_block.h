@@ -28,6 +28,7 @@ struct alignas(64) StrandBlock
     bool anyCurl = false;
     const sim::CurlSettings* coils = nullptr; ///< See sim::coilsOf.
     bool anyFrizz = false;
+    bool anyTaut = false;
     bool anyFrame = false; ///< Curled, braided or frizzy: the frame along the skeleton matters.
     LaneRow turns;
     LaneRow curlRadiusM; ///< 0 where there is no curl.
@@ -41,6 +42,7 @@ struct alignas(64) StrandBlock
     std::array<float, 3 * kBlockLanes> tangentWo; ///< Of the root.
     LaneRow braid;                                ///< sim::BraidKind
     LaneRow wisp;
+    LaneRow taut; ///< 1: see sim::StrandStyle::isTaut(), else 0.
     LaneRow braidRadiusM;
     LaneRow braidStart;
     LaneRow braidTurns;

@@ -74,9 +74,9 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
         const Yes there = loaded(block.width.data() + lane) > Lanes(0.0F);
         Triple<Lanes> before = loaded3(nodes);
         Triple<Lanes> here = loaded3(nodes + kRow);
-        const auto perM = [&](const Triple<Lanes>& place) {
+        const auto perM = [&](const Triple<Lanes>& position) {
             return Lanes(view.samplesPerM) /
-                   most(projected(view.projectionFromWo, place, 1.0F).z, Lanes(kNearestDrawnM));
+                   most(projected(view.projectionFromWo, position, 1.0F).z, Lanes(kNearestDrawnM));
         };
         for (int k = 1; k + 1 < block.nodes; ++k) {
             const Triple<Lanes> after = loaded3(nodes + static_cast<std::size_t>(k + 1) * kRow);
@@ -92,11 +92,11 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
             const Lanes scale = perM(before) * Lanes(0.5F / view.toleranceSp);
             const Lanes curlR = loaded(block.curlRadiusM.data() + lane);
             Lanes wanted = loaded(block.turns.data() + lane) * most(root(curlR * scale) * Lanes(3.1416F), Lanes(4.0F));
-            wanted = select(curlR > Lanes(0.0F), wanted, Lanes(0.0F));
+            const Lanes behindStart = most(Lanes(1.0F) - loaded(block.braidStart.data() + lane), Lanes(0.1F));
+            wanted = select(curlR > Lanes(0.0F), wanted / behindStart, Lanes(0.0F));
             const Lanes braid = root(loaded(block.braidRadiusM.data() + lane) * scale);
             const Lanes plaited = loaded(block.braidTurns.data() + lane) *
-                                  most(braid * Lanes(2.0F * 3.1416F), Lanes(16.0F)) /
-                                  most(Lanes(1.0F) - loaded(block.braidStart.data() + lane), Lanes(0.1F));
+                                  most(braid * Lanes(2.0F * 3.1416F), Lanes(16.0F)) / behindStart;
             if (block.anyFrizz) // What strays by less than a sample needs few.
                 wanted =
                     most(wanted, loaded(block.frizzRad.data() + lane) *

@@ -10,7 +10,7 @@ void StrandList::update(const std::shared_ptr<const sim::Groom>& groom, float de
 {
     if (groom == m_groom && detail == m_detail)
         return;
-    m_detail = -1.0F; // Where memory runs out half-way, the next call must not take this for a list.
+    m_detail = -1.0F; // Where memory runs out in between, the next call must not take this for a list.
     m_groom = groom;
     m_slots.clear();
     m_slots.reserve(groom->drawnCount);

@@ -238,7 +238,7 @@ struct ThinSteps
 };
 
 template<bool kSteep, bool kHead>
-HWY_INLINE void placeSteps(int begin, int end, const Pace& at, const Pace& step, ThinSteps& steps)
+HWY_INLINE void fillSteps(int begin, int end, const Pace& at, const Pace& step, ThinSteps& steps)
 {
     const hn::CappedTag<float, kCellSp> d;
     const hn::Rebind<std::int32_t, decltype(d)> di;
@@ -271,7 +271,7 @@ HWY_INLINE void layThin(Canvas& canvas, int begin, int end, const Pace& at, cons
 {
     constexpr std::ptrdiff_t kNext = kSteep ? 1 : kTileRow; // To the second of the two.
     ThinSteps steps;
-    placeSteps<kSteep, kHead>(begin, end, at, step, steps);
+    fillSteps<kSteep, kHead>(begin, end, at, step, steps);
     if constexpr (kHead)
         for (int i = 0; i < end - begin; ++i) {
             float* covers = steps.covers + 2 * static_cast<std::ptrdiff_t>(i);
@@ -332,7 +332,7 @@ HWY_INLINE void layOne(Canvas& canvas, const ScreenSegment& segment, SegmentPiec
     const Walk walk = walkOf<kSteep>(canvas.task, segment);
     const int mainEnd = kSteep ? canvas.task.height : canvas.task.width;
     // Samples whose middle lies in main0..main1.
-    const auto cut = [](float place) { return static_cast<int>(std::clamp(place, -1.0F, 64.0F) + 1.5F) - 1; };
+    const auto cut = [](float position) { return static_cast<int>(std::clamp(position, -1.0F, 64.0F) + 1.5F) - 1; };
     const int begin = std::max(cut(walk.main0), piece.firstCell() * kCellSp);
     const int end = std::min({cut(walk.main1), mainEnd, (piece.lastCell() + 1) * kCellSp});
     if (begin >= end)

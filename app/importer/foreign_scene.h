@@ -1,0 +1,58 @@
+// A scene of another program, whichever library read it: nodes, meshes of triangles, and what bones they follow.
+#pragma once
+
+#include "model/heads/rigged_mesh.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hairpaint::importer {
+
+struct SceneBone
+{
+    int node = 0;               ///< Of the scene; it exists.
+    glm::mat4 meshToNode{1.0F}; ///< As the mesh was bound.
+};
+
+struct VertexWeight
+{
+    std::uint32_t vertex = 0; ///< Of the mesh; it exists.
+    std::uint32_t bone = 0;   ///< Of the mesh; it exists.
+    float weight = 0.0F;      ///< Any number.
+};
+
+/// Positions and indices are checked: each index is that of a vertex.
+struct SceneMesh
+{
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals; ///< One a vertex, of any length.
+    std::vector<glm::vec2> uvs;     ///< One a vertex, v up; none where the mesh has no layout.
+    std::vector<glm::uvec3> triangles;
+    std::vector<SceneBone> bones;
+    std::vector<VertexWeight> weights;
+};
+
+struct SceneNode
+{
+    std::string name;
+    /// Of a bone as VRM calls them, where the file tells.
+    std::string boneName = {};
+    int parent = -1; ///< An earlier node; none for the first alone.
+    glm::mat4 toParent{1.0F};
+    std::vector<int> children = {}; ///< Later nodes.
+    std::vector<int> meshes = {};   ///< Those that exist.
+};
+
+struct ForeignScene
+{
+    std::vector<SceneNode> nodes; ///< At least one.
+    std::vector<SceneMesh> meshes;
+    /// Skinned meshes stand where their joints put them, whatever their own nodes say (as in glTF).
+    bool boundByJoints = false;
+    model::ToldSpace told = {};
+};
+
+} // namespace hairpaint::importer

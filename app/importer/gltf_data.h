@@ -1,0 +1,56 @@
+// The numbers of a glTF: buffers, views of them, compressed or not, and accessors.
+#pragma once
+
+#include "app/importer/gltf_file.h"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+
+namespace hairpaint::importer {
+
+using BufferBytes = std::vector<std::byte>;
+/// Of a buffer's URI that holds no data itself, as it stands in the file.
+using BufferReader = std::function<tl::expected<BufferBytes, wire::Refusal>(const std::string& uri)>;
+
+/// A buffer's bytes are fetched when a view of it is first asked for, so that what no mesh needs may be missing. Every
+/// range is checked. Keeps the file by reference.
+class GltfData
+{
+public:
+    template<typename T>
+    using Read = tl::expected<T, wire::Refusal>;
+    using Bytes = std::span<const std::byte>;
+
+    GltfData(const GltfFile& file, BufferReader reader) : m_file(file), m_reader(std::move(reader)) {}
+
+    /// Decompressed where it is compressed (EXT_meshopt_compression).
+    [[nodiscard]] Read<Bytes> view(int index);
+    /// `components` numbers an element, by the accessor's normalization. At most `most` elements.
+    [[nodiscard]] Read<std::vector<float>> floats(int accessor, int components, std::size_t most);
+    /// The same of whole numbers, none of which is below 0.
+    [[nodiscard]] Read<std::vector<std::uint32_t>> wholes(int accessor, int components, std::size_t most);
+    /// None where there is no such.
+    [[nodiscard]] const tinygltf::Accessor* find(int accessor) const;
+
+private:
+    struct Elements; ///< Where an accessor's bytes lie.
+
+    [[nodiscard]] Read<Bytes> buffer(int index);
+    [[nodiscard]] Read<Bytes> decompressed(const tinygltf::Value& extension, int index);
+    [[nodiscard]] Read<Elements> elements(int view, std::size_t offset, int componentType, int components,
+                                          std::size_t count);
+    template<typename Number, typename Convert>
+    [[nodiscard]] Read<std::vector<Number>> numbers(int accessor, int components, std::size_t most,
+                                                    const Convert& convert);
+
+    const GltfFile& m_file;
+    BufferReader m_reader;
+    std::map<int, BufferBytes> m_buffers; ///< Those that were fetched,
+    std::map<int, BufferBytes> m_views;   ///< and those that were decompressed.
+};
+
+/// A number of an accessor as it counts in its mesh.
+[[nodiscard]] float normalizedNumber(float number, int componentType);
+
+} // namespace hairpaint::importer

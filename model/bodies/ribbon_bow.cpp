@@ -1,0 +1,80 @@
+// Ribbons along plane curves.
+#include "model/bodies/ribbon_bow.h"
+
+#include "model/bodies/swept_body.h"
+#include "sim/base/deterministic.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kThick = 0.022F; ///< Half of the ribbon's thickness, in parts of the bow's reach.
+constexpr int kCorners = 10;
+
+/// Out from the knot and back to it, wider on its round end.
+void addLoop(sim::HeadMesh& mesh, glm::vec3 at, float scale, float to)
+{
+    constexpr int kSteps = 40;
+    std::vector<glm::vec3> line;
+    std::vector<glm::vec3> across;
+    std::vector<float> widths;
+    for (int i = 0; i <= kSteps; ++i) {
+        const float t = 0.03F + 0.94F * static_cast<float>(i) / kSteps;
+        const float out = 0.5F * (1.0F - sim::cosDet(2.0F * kPi * t));
+        const float open = sim::sinDet(2.0F * kPi * t);
+        line.push_back(at + scale * glm::vec3(to * out, 0.16F * out, 0.14F + 0.2F * open * (0.35F + 0.65F * out)));
+        across.emplace_back(0.0F, 1.0F, 0.12F * to);
+        widths.push_back(scale * (0.1F + 0.24F * out));
+    }
+    addSwept(mesh, ribbonAlong(line, across, widths, kThick * scale, false), false, kCorners);
+}
+
+/// Down from the knot, in a shallow wave.
+void addTail(sim::HeadMesh& mesh, glm::vec3 at, float scale, float to)
+{
+    constexpr int kSteps = 20;
+    std::vector<glm::vec3> line;
+    std::vector<glm::vec3> across;
+    std::vector<float> widths;
+    for (int i = 0; i <= kSteps; ++i) {
+        const float t = static_cast<float>(i) / kSteps;
+        line.push_back(
+            at + scale * glm::vec3(to * (0.04F + 0.42F * t), -0.05F - 0.85F * t, 0.1F + 0.05F * sim::sinDet(5.0F * t)));
+        across.emplace_back(1.0F, 0.3F * to, 0.0F);
+        widths.push_back(scale * (0.07F + 0.09F * t));
+    }
+    addSwept(mesh, ribbonAlong(line, across, widths, kThick * scale, false), false, kCorners);
+}
+
+void addKnot(sim::HeadMesh& mesh, glm::vec3 at, float scale)
+{
+    constexpr int kSteps = 12;
+    std::vector<SweptSection> sections;
+    for (int i = 0; i <= kSteps; ++i) {
+        const float t = 2.0F * static_cast<float>(i) / kSteps - 1.0F;
+        const float round = std::sqrt(1.0F - 0.72F * t * t);
+        sections.push_back({.centre = at + scale * glm::vec3(0.0F, 0.15F * t, 0.16F),
+                            .side = {1.0F, 0.0F, 0.0F},
+                            .up = {0.0F, 0.0F, 1.0F},
+                            .halfSide = 0.13F * scale * round,
+                            .halfUp = 0.14F * scale * round});
+    }
+    addSwept(mesh, sections, false, 20);
+}
+
+} // namespace
+
+void addRibbonBow(sim::HeadMesh& mesh, glm::vec3 at, float scale)
+{
+    for (const float to : {-1.0F, 1.0F}) {
+        addLoop(mesh, at, scale, to);
+        addTail(mesh, at, scale, to);
+    }
+    addKnot(mesh, at, scale);
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,35 @@
+// Closed meshes of which worn things are made: sections drawn along a line.
+#pragma once
+
+#include "sim/skin/head_mesh.h"
+
+#include <span>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// An ellipse across the line that is swept.
+struct SweptSection
+{
+    glm::vec3 centre{0.0F};
+    glm::vec3 side{1.0F, 0.0F, 0.0F}; ///< Unit, as the next, and at right angles to it.
+    glm::vec3 up{0.0F, 1.0F, 0.0F};
+    float halfSide = 0.1F; ///< Semi-axis along `side`, above 0,
+    float halfUp = 0.1F;   ///< and along `up`.
+};
+
+/// Adds the surface of what the sections sweep: a ring where `closed`, else with flat ends. `corners`: of a section.
+void addSwept(sim::HeadMesh& mesh, std::span<const SweptSection> sections, bool closed, int corners);
+
+/// A tube around the points of a line: round sections of those radii.
+[[nodiscard]] std::vector<SweptSection> tubeAlong(std::span<const glm::vec3> line, std::span<const float> radii,
+                                                  bool closed);
+/// A ribbon along them: `across` is about the direction of its width at each point.
+[[nodiscard]] std::vector<SweptSection> ribbonAlong(std::span<const glm::vec3> line, std::span<const glm::vec3> across,
+                                                    std::span<const float> halfWidths, float halfThickness,
+                                                    bool closed);
+
+/// In the space where `proportions` are the axes of a ball's radius, and there in the ball of `reach`.
+void fitInBall(sim::HeadMesh& mesh, glm::vec3 proportions, float reach);
+
+} // namespace hairpaint::model

@@ -1,0 +1,62 @@
+// The patches of a project's accessory maps, and the worn things that they are.
+#pragma once
+
+#include "model/maps/compositor.h"
+#include "model/patches/patch_labels.h"
+#include "model/project/project.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// What follows from a project's maps and its list of worn things: which patch is which thing. One thread at a time;
+/// copies share what they found.
+class ProjectPatches
+{
+public:
+    /// Brings it to the project. Work in proportion to the tiles that differ.
+    void update(const Project& project);
+
+    /// One channel: the number of the patch where it gathers hair, else 0. Null where none does, or there is no such
+    /// group. Tiles in which nothing differs keep their pointers.
+    [[nodiscard]] sim::MapRaster gathered(Id group) const;
+
+    /// Makes the list of worn things follow the maps that this holds, from how patches and things were `before`; false
+    /// where it did. A thing stays with the patch that its point is in, the oldest where patches met; else with the one
+    /// that covers most of its own. New patches get new things, and things without a patch go. Where a thing lies
+    /// follows its patch until a hand has moved it.
+    bool follow(Project& project, const ProjectPatches* before);
+
+    struct Group
+    {
+        ResolvedMap map;
+        PatchLabels labels = {};
+        std::vector<Id> things = {};             ///< Of each patch; 0: none.
+        std::vector<std::uint16_t> numbers = {}; ///< Of each patch that gathers; 0: it does not.
+        sim::MapRaster gathered = {};
+        /// The parts' numbers by which each tile of `gathered` was made.
+        std::vector<std::pair<std::shared_ptr<const PatchTile>, std::vector<std::uint16_t>>> made = {};
+    };
+    [[nodiscard]] const Group* group(Id id) const;
+
+private:
+    void updateLabels(const Project& project);
+    void findThings(const Project& project);
+
+    std::map<std::pair<const sim::Skin*, int>, std::shared_ptr<const SkinIslands>> m_islands;
+    std::map<Id, Group> m_groups;
+};
+
+/// The texels of the thing's patch, in each layer of its group's accessory map that shows there, without paint; empty
+/// where it has none.
+struct LayerPatchErasure
+{
+    LayerAddress address;
+    std::vector<std::pair<int, sim::RasterTilePtr>> tiles;
+};
+[[nodiscard]] std::vector<LayerPatchErasure> patchErased(const Project& project, const ProjectPatches& patches,
+                                                         const Worn& worn);
+
+} // namespace hairpaint::model

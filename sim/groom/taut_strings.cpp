@@ -1,0 +1,169 @@
+// Pulls strings over the skin.
+#include "sim/groom/taut_strings.h"
+
+#include "sim/base/parallel.h"
+#include "sim/groom/unit_vector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::sim {
+
+namespace {
+
+constexpr std::uint32_t kNoString = 0xFFFFFFFFU;
+constexpr std::size_t kCoarse = 3;           ///< Spans of a string at first; they are halved twice.
+constexpr std::array kPulls = {5, 4, 3};     ///< Then so often.
+constexpr float kStringClearanceM = 0.0005F; ///< Of the string from the skin.
+constexpr float kLeastHeadM = 0.03F;         ///< Distance of the middle of the head from the end,
+constexpr float kMostHeadM = 0.12F;          ///< within.
+constexpr float kLargeHeadM = 0.09F;         ///< Where nothing is met on the other side.
+
+constexpr float kOtherSide = 0.3F; ///< Cosine of the angle at the middle of the head from which on it is.
+constexpr std::size_t kLastPoint = kStringPoints - 1;
+
+static_assert(kCoarse << 2U == kStringPoints - 1);
+
+} // namespace
+
+TautStrings::TautStrings(SkinDistance distance, glm::vec3 endHd) : m_distance(std::move(distance)), m_endHd(endHd)
+{
+    const Skin& skin = *m_distance.skin();
+    const SurfacePoint foot = skin.nearest(endHd);
+    m_outwardHd = foot.normalHd;
+    constexpr float kInsideM = 1e-3F;
+    const glm::vec3 from = foot.positionHd - foot.normalHd * kInsideM;
+    float acrossM = 2.0F * kLargeHeadM;
+    if (const auto other = skin.pick({.originHd = from, .directionHd = -foot.normalHd}))
+        acrossM = lengthOfVector(other->positionHd - from);
+    m_centreHd = foot.positionHd - foot.normalHd * std::clamp(0.5F * acrossM, kLeastHeadM, kMostHeadM);
+    m_endHd = m_distance.pushedOut(endHd, kStringClearanceM, m_centreHd);
+    m_stringOf.assign(skin.mesh().positionsHd.size(), kNoString);
+}
+
+void TautStrings::prepare(std::span<const std::uint32_t> faces)
+{
+    const HeadMesh& mesh = m_distance.skin()->mesh();
+    std::vector<std::uint32_t> wanted;
+    const auto first = static_cast<std::uint32_t>(m_strings.size());
+    for (const std::uint32_t face : faces) {
+        const glm::uvec3 corners = mesh.triangles[face];
+        for (int corner = 0; corner < 3; ++corner) {
+            std::uint32_t& string = m_stringOf[corners[corner]];
+            if (string != kNoString)
+                continue;
+            string = first + static_cast<std::uint32_t>(wanted.size());
+            wanted.push_back(corners[corner]);
+        }
+    }
+    m_strings.resize(m_strings.size() + wanted.size());
+    parallelFor(wanted.size(), 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            m_strings[first + i] = pulled(mesh.positionsHd[wanted[i]]);
+    });
+}
+
+float TautStrings::layCoarse(Points& p, glm::vec3 aside) const
+{
+    const glm::vec3 a = p[0] - m_centreHd;
+    const glm::vec3 b = p[kLastPoint] - m_centreHd;
+    const float lengthA = lengthOfVector(a);
+    const float lengthB = lengthOfVector(b);
+    constexpr std::size_t kStride = kLastPoint / kCoarse;
+    for (std::size_t i = kStride; i < kLastPoint; i += kStride) {
+        const float t = static_cast<float>(i) / static_cast<float>(kLastPoint);
+        const glm::vec3 between = unitVectorOr(a, m_outwardHd) * (1.0F - t) + unitVectorOr(b, m_outwardHd) * t;
+        p[i] = m_centreHd + unitVectorOr(between + aside, m_outwardHd) * (lengthA * (1.0F - t) + lengthB * t);
+        p[i] = m_distance.pushedOut(p[i], kStringClearanceM, m_centreHd);
+    }
+    pull(p, kStride, kPulls[0]);
+    float lengthM = 0.0F;
+    for (std::size_t i = kStride; i <= kLastPoint; i += kStride)
+        lengthM += lengthOfVector(p[i] - p[i - kStride]);
+    return lengthM;
+}
+
+void TautStrings::pull(Points& p, std::size_t stride, int times) const
+{
+    const std::size_t inner = kLastPoint / stride - 1;
+    for (int pull = 0; pull < times; ++pull)
+        for (std::size_t k = 1; k <= inner; ++k) {
+            // To and fro, so that neither end is favoured.
+            const std::size_t i = (pull % 2 == 0 ? k : inner + 1 - k) * stride;
+            p[i] = m_distance.pushedOut((p[i - stride] + p[i + stride]) * 0.5F, kStringClearanceM, m_centreHd);
+        }
+}
+
+TautString TautStrings::pulled(glm::vec3 fromHd) const
+{
+    TautString string;
+    Points& p = string.pointsHd;
+    p[0] = fromHd;
+    p[kLastPoint] = m_endHd;
+    float shortestM = layCoarse(p, glm::vec3(0.0F));
+    const glm::vec3 a = unitVectorOr(fromHd - m_centreHd, m_outwardHd);
+    const glm::vec3 b = unitVectorOr(m_endHd - m_centreHd, m_outwardHd);
+    if (glm::dot(a, b) < kOtherSide) {
+        for (const glm::vec3 aside : {glm::vec3(0.0F, 1.0F, 0.0F), glm::vec3(0.0F, 0.0F, -1.0F)}) {
+            Points other = p;
+            // Nobody ties hair across a face.
+            constexpr float kFavoured = 0.8F;
+            const float lengthM = layCoarse(other, aside) * kFavoured;
+            if (lengthM < shortestM) {
+                shortestM = lengthM;
+                p = other;
+            }
+        }
+    }
+    std::size_t stride = kLastPoint / kCoarse;
+    for (std::size_t level = 1; level < kPulls.size(); ++level) {
+        stride /= 2;
+        for (std::size_t i = stride; i < kLastPoint; i += 2 * stride)
+            p[i] = m_distance.pushedOut((p[i - stride] + p[i + stride]) * 0.5F, kStringClearanceM, m_centreHd);
+        pull(p, stride, kPulls.at(level));
+    }
+    return string;
+}
+
+TautString TautStrings::from(std::uint32_t face, glm::vec3 positionHd) const
+{
+    const HeadMesh& mesh = m_distance.skin()->mesh();
+    const glm::uvec3 corners = mesh.triangles[face];
+    std::array<glm::vec3, 3> at;
+    std::array<const TautString*, 3> strings{};
+    for (int corner = 0; corner < 3; ++corner) {
+        at.at(static_cast<std::size_t>(corner)) = mesh.positionsHd[corners[corner]];
+        strings.at(static_cast<std::size_t>(corner)) = &m_strings[m_stringOf[corners[corner]]];
+    }
+    const glm::vec3 normal = glm::cross(at[1] - at[0], at[2] - at[0]);
+    const float area2 = std::max(glm::dot(normal, normal), 1e-24F);
+    std::array<float, 3> weights{};
+    weights[0] = std::max(glm::dot(glm::cross(at[1] - positionHd, at[2] - positionHd), normal) / area2, 0.0F);
+    weights[1] = std::max(glm::dot(glm::cross(at[2] - positionHd, at[0] - positionHd), normal) / area2, 0.0F);
+    weights[2] = std::max(glm::dot(glm::cross(at[0] - positionHd, at[1] - positionHd), normal) / area2, 0.0F);
+    const auto most = static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
+    // Strings that pass the head on the other side are none to take the mean with.
+    constexpr std::size_t kMiddle = kStringPoints / 2;
+    constexpr float kSlackM = 0.001F;
+    float sum = 0.0F;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const float apartM = lengthOfVector(strings[i]->pointsHd[kMiddle] - strings[most]->pointsHd[kMiddle]);
+        weights[i] *= std::clamp(4.0F - apartM / (lengthOfVector(at[i] - at[most]) + kSlackM), 0.0F, 1.0F);
+        sum += weights[i];
+    }
+    if (!(sum > 0.0F)) {
+        weights[most] = 1.0F;
+        sum = 1.0F;
+    }
+    TautString string;
+    for (std::size_t k = 0; k < kStringPoints; ++k) {
+        const float left = 1.0F - static_cast<float>(k) / static_cast<float>(kStringPoints - 1);
+        glm::vec3 point(0.0F);
+        for (std::size_t i = 0; i < weights.size(); ++i)
+            point += (strings[i]->pointsHd[k] + (positionHd - at[i]) * left) * (weights[i] / sum);
+        string.pointsHd[k] = point;
+    }
+    return string;
+}
+
+} // namespace hairpaint::sim

@@ -1,0 +1,55 @@
+// Strings drawn taut over the skin from anywhere on it to one point: the shortest ways there.
+#pragma once
+
+#include "sim/groom/skin_distance.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hairpaint::sim {
+
+inline constexpr std::size_t kStringPoints = 13;
+
+/// Root first, about evenly spaced. Hd, m.
+struct TautString
+{
+    std::array<glm::vec3, kStringPoints> pointsHd;
+};
+
+/// The strings of the skin's vertices, made where they are asked for, and between them their mean. A string is laid as
+/// a great circle about the middle of the head and then pulled: each point to the middle of its neighbours and out of
+/// the skin, coarse to fine, so that it leaves the skin where the straight line to the end does, and spans hollows.
+class TautStrings
+{
+public:
+    TautStrings() = default;
+    TautStrings(SkinDistance distance, glm::vec3 endHd);
+
+    [[nodiscard]] glm::vec3 endHd() const { return m_endHd; }
+    [[nodiscard]] glm::vec3 outwardHd() const { return m_outwardHd; } ///< Unit: the skin's normal below the end.
+    [[nodiscard]] glm::vec3 centreHd() const { return m_centreHd; }   ///< About the middle of the head.
+    [[nodiscard]] const SkinDistance& distance() const { return m_distance; }
+
+    /// Makes the strings of these faces' vertices. Uses parallelFor.
+    void prepare(std::span<const std::uint32_t> faces);
+    /// From a point of a face that was prepared. Any thread.
+    [[nodiscard]] TautString from(std::uint32_t face, glm::vec3 positionHd) const;
+
+private:
+    using Points = std::array<glm::vec3, kStringPoints>;
+    [[nodiscard]] TautString pulled(glm::vec3 fromHd) const;
+    /// Lays the coarse points, those in between by a great circle that is led to a side; returns the length.
+    float layCoarse(Points& points, glm::vec3 aside) const;
+    void pull(Points& points, std::size_t stride, int times) const;
+
+    SkinDistance m_distance;
+    glm::vec3 m_endHd{0.0F};
+    glm::vec3 m_outwardHd{0.0F, 1.0F, 0.0F};
+    glm::vec3 m_centreHd{0.0F};
+    std::vector<std::uint32_t> m_stringOf; ///< [vertices], kNone where there is none yet.
+    std::vector<TautString> m_strings;
+};
+
+} // namespace hairpaint::sim

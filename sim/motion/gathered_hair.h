@@ -1,0 +1,36 @@
+// The gathered hairs of a group in motion: what lies on the head goes with it, their tails are solved as hair of their
+// own.
+#pragma once
+
+#include "sim/motion/strand_frame.h"
+#include "sim/solver/solver_layout.h"
+
+#include <memory>
+#include <span>
+
+namespace hairpaint::sim {
+
+class GroupDynamics;
+
+/// Not thread safe; loops run through parallelFor.
+class GatheredHair
+{
+public:
+    GatheredHair();
+    ~GatheredHair();
+    GatheredHair(GatheredHair&&) noexcept;
+    GatheredHair& operator=(GatheredHair&&) noexcept;
+
+    /// As GroupDynamics::setGroom; nothing is left of tails where the groom has none.
+    void setGroom(const Groom& groom, const ColliderSet& colliders, const StepForces& calm);
+    /// How the tails move; null where there are none.
+    [[nodiscard]] GroupDynamics* tails() const { return m_tails.get(); }
+    /// Writes the gathered hairs into a frame of the group that is filled otherwise.
+    void write(GroupFrame& frame, float fraction, const HeadPose& pose, const Neck& neck) const;
+
+private:
+    std::unique_ptr<GroupDynamics> m_tails;
+    mutable GroupFrame m_frame; ///< Of the tails; its buffer is reused.
+};
+
+} // namespace hairpaint::sim

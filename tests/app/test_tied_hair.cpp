@@ -1,0 +1,71 @@
+// Hair tied in the real window, by mouse and menus.
+#include "tests/app/window_fixture.h"
+#include "tests/support/test_program.h"
+
+namespace hairpaint::app {
+
+class TestTiedHair : public QObject, private WindowFixture
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { prepareApplication(); }
+    void cleanup() { m_window.reset(); }
+
+    /// Density painted, then one click and one choice.
+    void aPonytailByOneClick()
+    {
+        openWindow(model::newProject());
+        editor().target().setMap(model::MapKind::Density);
+        drag(m_window->paintView(), paintPoint(0.45F, 0.7F), paintPoint(0.55F, 0.7F));
+        const QByteArray before = savedBytes("before.hairpaint");
+        const auto [area, at] = onHead(0.5F, 0.7F);
+        QTest::mouseMove(area, at);
+        m_window->actions().find(QLatin1StringView("hair.addPonytail"))->trigger();
+        QCOMPARE(stack().undoText(), QStringLiteral("Gather hair into a ponytail"));
+        const model::Project& project = session().document().project();
+        QCOMPARE(model::countOf(project.worn, model::WornKind::Ponytail), std::size_t{1});
+        const model::Worn tie = project.worn.back();
+        QCOMPARE(editor().options().chosenWorn(), tie.id);
+        QCOMPARE(session().document().groomInput().groups.front().ties.size(), std::size_t{1});
+        QVERIFY(!m_window->headView().pictureScene().solids.empty());
+        QTRY_VERIFY_WITH_TIMEOUT(!session().document().resolving(), kPatienceMs);
+        m_window->actions().find(QLatin1StringView("hair.removeWorn"))->trigger();
+        QCOMPARE(model::countOf(session().document().project().worn, model::WornKind::Ponytail), std::size_t{0});
+        QVERIFY(session().document().groomInput().groups.front().gathered == nullptr);
+        session().document().undo();
+        QVERIFY(session().document().project().worn.back() == tie);
+        session().document().undo();
+        QCOMPARE(savedBytes("after.hairpaint"), before);
+    }
+
+    void whereNoHairIsItSaysSo()
+    {
+        openWindow(model::newProject());
+        const QSignalSpy refused(&editor(), &view::EditorState::refused);
+        m_window->actions().find(QLatin1StringView("hair.addBun"))->trigger();
+        QCOMPARE(refused.count(), 1);
+        QCOMPARE(stack().count(), 0);
+    }
+
+    /// The brush in the paint area, mirrored: twin tails.
+    void twinTailsByAMirroredBrush()
+    {
+        openWindow(model::newProject());
+        editor().target().setMap(model::MapKind::Accessory);
+        editor().options().setMirror(true);
+        drag(m_window->paintView(), paintPoint(0.40F, 0.7F), paintPoint(0.43F, 0.72F));
+        QCOMPARE(stack().undoText(), QStringLiteral("Brush on Accessories"));
+        const std::vector<model::Worn>& worn = session().document().project().worn;
+        QCOMPARE(model::countOf(worn, model::WornKind::Ponytail), std::size_t{2});
+        const model::Worn& left = worn[worn.size() - 2];
+        const model::Worn& right = worn.back();
+        QVERIFY(glm::distance(left.shape.centreHd * glm::vec3(-1.0F, 1.0F, 1.0F), right.shape.centreHd) < 2e-3F);
+        stack().undo();
+        QCOMPARE(model::countOf(session().document().project().worn, model::WornKind::Ponytail), std::size_t{0});
+    }
+};
+
+} // namespace hairpaint::app
+
+HAIRPAINT_TEST(hairpaint::app::TestTiedHair, Widgets)
+#include "test_tied_hair.moc"

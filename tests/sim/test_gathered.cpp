@@ -1,0 +1,606 @@
+// Hair gathered into ties: taut over the skin, through the ring, and free from there.
+#include "groom_bytes.h"
+#include "groom_reading.h"
+#include "sim/base/deterministic.h"
+#include "sim/base/parallel.h"
+#include "sim/groom/gathered_path.h"
+#include "sim/groom/strand_curve.h"
+#include "sim/motion/simulation.h"
+#include "tests/support/painted_ball.h"
+#include "tests/support/test_program.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <functional>
+#include <map>
+
+using namespace hairpaint::sim;
+using namespace hairpaint::test;
+
+namespace {
+
+constexpr float kBallM = 0.1F;
+constexpr float kRingM = 0.008F;
+constexpr float kStandsM = 0.01F; ///< The ring, off the skin.
+
+Tie tieAt(std::uint16_t number, glm::vec3 direction, glm::vec3 through = {0.0F, 0.3F, -1.0F})
+{
+    const glm::vec3 out = glm::normalize(direction);
+    return {.number = number,
+            .pointHd = out * (kBallM + kStandsM),
+            .directionHd = glm::normalize(through),
+            .radiusM = kRingM};
+}
+
+/// A ball whose upper half, and some, is gathered behind the crown.
+GroomInput tiedBall(int hairs = 6000, float lengthM = 0.4F)
+{
+    GroomInput input = paintedBall(hairs, 400);
+    GroomInput::Group& group = input.groups.front();
+    group.settings.greatestLengthM = lengthM;
+    group.ties = {tieAt(1, {0.0F, 0.6F, -0.8F})};
+    group.gathered = mapOfTexel(1, {0});
+    paintSquare(group.gathered, {0.0F, 0.45F}, {1.0F, 1.0F}, 1);
+    return input;
+}
+
+std::shared_ptr<const Groom> groomed(const GroomInput& input)
+{
+    return GroomBuilder().update(input).grooms.front();
+}
+
+template<typename Visit>
+void forEachGathered(const Groom& groom, const Visit& visit)
+{
+    forEachHair(groom, [&](std::uint32_t slot, const StrandStyle& style) {
+        const StrandChunk& chunk = *groom.chunks[chunkOf(slot)];
+        if (chunk.gathered[inChunk(slot)])
+            visit(slot, style, chunk.tailed[inChunk(slot)]);
+    });
+}
+
+std::vector<glm::vec3> drawn(const Groom& groom, std::uint32_t slot, std::span<const glm::vec3> nodes,
+                             int segments = 84)
+{
+    std::vector<glm::vec3> points;
+    evaluateStrand(nodes, frameTangentHd(groom, slot), groom.style(slot), segments, points, coilsOf(groom.settings));
+    return points;
+}
+
+std::vector<glm::vec3> restNodes(const Groom& groom, std::uint32_t slot)
+{
+    std::vector<glm::vec3> nodes;
+    for (int node = 0; node < groom.nodes; ++node)
+        nodes.push_back(restNode(groom, slot, node));
+    return nodes;
+}
+
+std::vector<glm::vec3> frameNodes(const GroupFrame& frame, std::uint32_t slot)
+{
+    std::vector<glm::vec3> nodes(static_cast<std::size_t>(frame.groom->nodes));
+    frame.groom->blocks().read(frame.positions, frame.groom->frameStrand(slot), nodes);
+    return nodes;
+}
+
+float lengthOfLine(std::span<const glm::vec3> points)
+{
+    float length = 0.0F;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        length += glm::length(points[i] - points[i - 1]);
+    return length;
+}
+
+/// Of a string over a ball to a point above it: along a great circle, then straight.
+float tautOverBall(glm::vec3 root, glm::vec3 end)
+{
+    const float angle = std::acos(std::clamp(glm::dot(glm::normalize(root), glm::normalize(end)), -1.0F, 1.0F));
+    const float height = glm::length(end);
+    const float straight = std::acos(kBallM / height);
+    if (angle <= straight)
+        return glm::length(root - end);
+    return kBallM * (angle - straight) + std::sqrt(height * height - kBallM * kBallM);
+}
+
+GroupFrame frameOf(const Simulation& simulation)
+{
+    StrandFrame frame;
+    simulation.writeFrame(frame);
+    return std::move(frame.groups.front());
+}
+
+} // namespace
+
+class TestGathered : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void cleanup() { setThreadCount(0); }
+
+    void withoutTiesHairIsWhatItWas()
+    {
+        GroomInput loose = tiedBall();
+        loose.groups.front().ties.clear();
+        loose.groups.front().gathered = nullptr;
+        const auto groom = groomed(loose);
+        QVERIFY(groom->tails == nullptr);
+        GroomInput other = tiedBall();
+        other.groups.front().ties.front().number = 2; // No root has it.
+        other.groups.front().gathered = mapOfTexel(1, {7});
+        const auto same = groomed(other);
+        for (std::size_t i = 0; i < groom->chunks.size(); ++i)
+            QVERIFY(sameBytes(groom->chunks[i]->restPositions, same->chunks[i]->restPositions));
+    }
+
+    void hairOfThePatchGoesThroughTheRing()
+    {
+        const auto groom = groomed(tiedBall());
+        const Tie tie = tiedBall().groups.front().ties.front();
+        std::size_t gathered = 0;
+        forEachGathered(*groom, [&](std::uint32_t slot, const StrandStyle& style, bool isTailed) {
+            ++gathered;
+            QVERIFY(isTailed);
+            QVERIFY(groom->roots->uv[slot].y > 0.44F);
+            const glm::vec3 through = restNode(*groom, slot, ringNode(groom->nodes));
+            const glm::vec3 off = through - tie.pointHd;
+            QVERIFY2(glm::length(off) <= kRingM * 1.01F, qPrintable(QString::number(glm::length(off))));
+            QVERIFY(std::abs(glm::dot(off, tie.directionHd)) < 1e-4F);
+            QCOMPARE(style.turns, 0.0F);
+        });
+        QVERIFY(gathered > 2000);
+    }
+
+    void tautHairTakesTheShortestWay()
+    {
+        const auto groom = groomed(tiedBall());
+        const Tie tie = tiedBall().groups.front().ties.front();
+        forEachGathered(*groom, [&](std::uint32_t slot, const StrandStyle&, bool) {
+            const std::vector<glm::vec3> points = drawn(*groom, slot, restNodes(*groom, slot), 7 * 24);
+            const auto ring = static_cast<std::size_t>(24 * ringNode(groom->nodes));
+            const float taut = lengthOfLine(std::span(points).first(ring + 1));
+            const float shortest = tautOverBall(groom->roots->positionHd[slot], tie.pointHd);
+            QVERIFY2(taut < shortest * 1.03F + 1.5F * kRingM && taut > shortest * 0.97F - kRingM,
+                     qPrintable(QStringLiteral("%1 for %2").arg(taut).arg(shortest)));
+        });
+    }
+
+    void tautHairLiesOnTheSkin()
+    {
+        const auto groom = groomed(tiedBall());
+        const Tie tie = tiedBall().groups.front().ties.front();
+        float highest = 0.0F;
+        float deepest = 0.0F;
+        forEachGathered(*groom, [&](std::uint32_t slot, const StrandStyle&, bool) {
+            const std::vector<glm::vec3> points = drawn(*groom, slot, restNodes(*groom, slot), 7 * 24);
+            for (std::size_t i = 0; i <= static_cast<std::size_t>(24 * ringNode(groom->nodes)); ++i) {
+                const float distance = glm::length(points[i]) - kBallM;
+                deepest = std::min(deepest, distance);
+                // Where the straight line to the ring leaves the skin it may, and below it lies hair.
+                const float toRing = glm::length(points[i] - tie.pointHd);
+                const float leaves = std::sqrt(2.0F * kBallM * (kStandsM + kRingM)) + 0.01F;
+                if (toRing > leaves)
+                    highest = std::max(highest, distance);
+            }
+        });
+        QVERIFY2(highest < 0.004F, qPrintable(QString::number(highest)));
+        QVERIFY2(deepest > -0.0025F, qPrintable(QString::number(deepest)));
+    }
+
+    void neighboursStayTogether()
+    {
+        const auto groom = groomed(tiedBall(20000));
+        std::vector<std::uint32_t> slots;
+        forEachGathered(*groom, [&](std::uint32_t slot, const StrandStyle&, bool) { slots.push_back(slot); });
+        const int middle = ringNode(groom->nodes) - 1;
+        std::size_t pairs = 0;
+        std::size_t apart = 0;
+        for (std::size_t i = 0; i < slots.size(); i += 7)
+            for (std::size_t j = i + 1; j < std::min(i + 40, slots.size()); ++j) {
+                if (glm::length(groom->roots->positionHd[slots[i]] - groom->roots->positionHd[slots[j]]) > 0.006F)
+                    continue;
+                ++pairs;
+                apart += glm::length(restNode(*groom, slots[i], middle) - restNode(*groom, slots[j], middle)) > 0.012F
+                             ? 1
+                             : 0;
+            }
+        QVERIFY(pairs > 500);
+        QVERIFY2(apart * 100 <= pairs, qPrintable(QStringLiteral("%1 of %2").arg(apart).arg(pairs)));
+    }
+
+    void hairKeepsItsLength_data()
+    {
+        QTest::addColumn<float>("settled");
+        QTest::addColumn<float>("most");
+        QTest::newRow("as laid") << 0.0F << 0.015F;
+        QTest::newRow("fallen") << 2.0F << 0.01F;
+    }
+
+    void hairKeepsItsLength()
+    {
+        QFETCH(float, settled);
+        QFETCH(float, most);
+        const GroomInput input = tiedBall();
+        Simulation simulation;
+        simulation.setInput(input);
+        if (settled > 0.0F)
+            simulation.settle(static_cast<double>(settled));
+        else
+            simulation.reset();
+        const GroupFrame frame = frameOf(simulation);
+        std::size_t count = 0;
+        std::size_t wrong = 0;
+        forEachGathered(*frame.groom, [&](std::uint32_t slot, const StrandStyle&, bool isTailed) {
+            if (!isTailed)
+                return;
+            ++count;
+            const float length = lengthOfLine(drawn(*frame.groom, slot, frameNodes(frame, slot), 7 * 24));
+            wrong += std::abs(length - 0.4F) > most * 0.4F ? 1 : 0;
+        });
+        QVERIFY(count > 2000);
+        QVERIFY2(wrong * 100 < count, qPrintable(QStringLiteral("%1 of %2").arg(wrong).arg(count)));
+    }
+
+    void shortHairEndsBeforeTheRing()
+    {
+        const auto groom = groomed(tiedBall(6000, 0.06F));
+        const Tie tie = tiedBall().groups.front().ties.front();
+        std::size_t ended = 0;
+        forEachGathered(*groom, [&](std::uint32_t slot, const StrandStyle& style, bool isTailed) {
+            const glm::vec3 root = groom->roots->positionHd[slot];
+            if (tautOverBall(root, tie.pointHd) < 0.075F)
+                return;
+            ++ended;
+            QVERIFY(!isTailed);
+            QVERIFY(std::abs(style.lengthM - 0.06F) < 1e-5F);
+            const float length = lengthOfLine(drawn(*groom, slot, restNodes(*groom, slot)));
+            QVERIFY2(std::abs(length - 0.06F) < 0.0015F, qPrintable(QString::number(length)));
+            QVERIFY(glm::length(restNode(*groom, slot, groom->nodes - 1) - tie.pointHd) <
+                    glm::length(root - tie.pointHd));
+        });
+        QVERIFY(ended > 500);
+    }
+
+    void tailsFallAndComeToRest()
+    {
+        Simulation simulation;
+        simulation.setInput(tiedBall());
+        simulation.settle(20.0);
+        QVERIFY(simulation.asleep());
+        const GroupFrame frame = frameOf(simulation);
+        const Tie tie = tiedBall().groups.front().ties.front();
+        std::size_t count = 0;
+        double below = 0.0;
+        forEachGathered(*frame.groom, [&](std::uint32_t slot, const StrandStyle&, bool isTailed) {
+            const std::vector<glm::vec3> nodes = frameNodes(frame, slot);
+            for (int node = 0; node <= ringNode(frame.groom->nodes); ++node)
+                QVERIFY(nodes[static_cast<std::size_t>(node)] == restNode(*frame.groom, slot, node));
+            if (!isTailed)
+                return;
+            ++count;
+            below += static_cast<double>(tie.pointHd.y - nodes.back().y);
+        });
+        below /= static_cast<double>(count);
+        QVERIFY2(below > 0.1, qPrintable(QString::number(below)));
+    }
+
+    void noHairIsInTheSkin_data()
+    {
+        QTest::addColumn<float>("windMs");
+        QTest::newRow("still air") << 0.0F;
+        QTest::newRow("storm") << 15.0F;
+    }
+
+    void noHairIsInTheSkin()
+    {
+        QFETCH(float, windMs);
+        Simulation simulation;
+        simulation.setInput(tiedBall());
+        if (windMs > 0.0F)
+            simulation.setWind({.velocity = {0.0F, 0.0F, windMs}});
+        simulation.settle(2.0);
+        const GroupFrame frame = frameOf(simulation);
+        float deepest = 0.0F;
+        std::size_t count = 0;
+        forEachGathered(*frame.groom, [&](std::uint32_t slot, const StrandStyle&, bool) {
+            ++count;
+            for (const glm::vec3& point : drawn(*frame.groom, slot, frameNodes(frame, slot)))
+                deepest = std::min(deepest, glm::length(point) - kBallM);
+        });
+        QVERIFY(count > 2000);
+        QVERIFY2(deepest > -0.003F, qPrintable(QString::number(deepest)));
+    }
+
+    void tautHairGoesWithTheHeadAndTheTailSwings()
+    {
+        Simulation simulation;
+        simulation.setInput(tiedBall());
+        simulation.settle(3.0);
+        const GroupFrame before = frameOf(simulation);
+        for (int step = 1; step <= 12; ++step) {
+            const float angle = 0.05F * static_cast<float>(step);
+            simulation.setPose({.rotation = glm::angleAxis(angle, glm::vec3(0.0F, 1.0F, 0.0F))});
+            simulation.advance(1.0 / 60.0);
+        }
+        StrandFrame whole;
+        simulation.writeFrame(whole);
+        const GroupFrame& after = whole.groups.front();
+        float most = 0.0F;
+        forEachGathered(*after.groom, [&](std::uint32_t slot, const StrandStyle&, bool isTailed) {
+            const std::vector<glm::vec3> nodes = frameNodes(after, slot);
+            for (int node = 0; node <= ringNode(after.groom->nodes); ++node) {
+                const glm::vec3 expected =
+                    whole.pose.rotation * restNode(*after.groom, slot, node) + whole.pose.positionWo;
+                QVERIFY(glm::length(nodes[static_cast<std::size_t>(node)] - expected) < 1e-5F);
+            }
+            if (isTailed)
+                most =
+                    std::max(most, glm::length(nodes.back() - whole.pose.rotation * frameNodes(before, slot).back()));
+        });
+        QVERIFY2(most > 0.02F, qPrintable(QString::number(most))); // The tip stays behind.
+    }
+
+    void eachTailFollowsItsOwnTieAlone()
+    {
+        GroomInput input = tiedBall();
+        input.groups.front().ties = {tieAt(1, {-0.8F, 0.2F, -0.5F}), tieAt(2, {0.8F, 0.2F, -0.5F})};
+        paintSquare(input.groups.front().gathered, {0.5F, 0.45F}, {1.0F, 1.0F}, 2);
+        const auto groom = groomed(input);
+        QVERIFY(groom->tails != nullptr);
+        const MapRaster& map = input.groups.front().gathered;
+        const auto numberAt = [&](std::uint32_t slot) { return map->sampleNearest(groom->roots->uv[slot])[0]; };
+        std::map<int, int> counts;
+        forEachGathered(*groom, [&](std::uint32_t slot, const StrandStyle&, bool isTailed) {
+            QVERIFY(isTailed);
+            ++counts[numberAt(slot)];
+            const Followed& followed = groom->chunks[chunkOf(slot)]->followed[inChunk(slot)];
+            float sum = 0.0F;
+            for (std::size_t k = 0; k < followed.basis.size(); ++k) {
+                sum += followed.weights[k];
+                if (followed.weights[k] > 0.0F)
+                    QCOMPARE(numberAt(groom->roots->basisSlot[followed.basis[k]]), numberAt(slot));
+            }
+            QVERIFY(std::abs(sum - 1.0F) < 1e-5F);
+        });
+        QVERIFY(counts[1] > 500 && counts[2] > 500);
+    }
+
+    void aPatchWithoutBasisHairBorrowsOne()
+    {
+        GroomInput input = tiedBall(40000);
+        input.groups.front().settings.basisHairs = 32;
+        input.groups.front().gathered = mapOfTexel(1, {0});
+        paintSquare(input.groups.front().gathered, {0.48F, 0.78F}, {0.52F, 0.80F}, 1);
+        std::size_t tailed = 0;
+        forEachGathered(*groomed(input),
+                        [&](std::uint32_t, const StrandStyle&, bool isTailed) { tailed += isTailed ? 1 : 0; });
+        QVERIFY2(tailed > 5, qPrintable(QString::number(tailed)));
+    }
+
+    void paintingBesideChangesNoTiedHair()
+    {
+        GroomInput input = tiedBall();
+        GroomBuilder builder;
+        const auto before = builder.update(input).grooms.front();
+        paintSquare(input.groups.front().maps[MapSlot::Length], {0.2F, 0.1F}, {0.8F, 0.42F}, 30000);
+        paintSquare(input.groups.front().maps[MapSlot::Braid], {0.2F, 0.1F}, {0.8F, 0.42F}, 1);
+        const auto after = builder.update(input).grooms.front();
+        QVERIFY(differenceOf(*before, *after) != nullptr);
+        forEachGathered(*before, [&](std::uint32_t slot, const StrandStyle& style, bool) {
+            QVERIFY(std::memcmp(&style, &after->style(slot), sizeof(style)) == 0);
+            for (int node = 0; node < before->nodes; ++node)
+                QVERIFY(restNode(*before, slot, node) == restNode(*after, slot, node));
+        });
+        QVERIFY(after->tails == before->tails || differenceOf(*after->tails, *before->tails) == nullptr);
+    }
+
+    void tyingChangesNoLooseHair()
+    {
+        GroomInput input = tiedBall();
+        const auto tied = groomed(input);
+        input.groups.front().ties.clear();
+        const auto loose = groomed(input);
+        forEachHair(*tied, [&](std::uint32_t slot, const StrandStyle& style) {
+            if (tied->chunks[chunkOf(slot)]->gathered[inChunk(slot)])
+                return;
+            QVERIFY(std::memcmp(&style, &loose->style(slot), sizeof(style)) == 0);
+            for (int node = 0; node < tied->nodes; ++node)
+                QVERIFY(restNode(*tied, slot, node) == restNode(*loose, slot, node));
+        });
+    }
+
+    void randomEditsEqualAFreshBuild_data()
+    {
+        QTest::addColumn<int>("seed");
+        for (int seed = 0; seed < 6; ++seed)
+            QTest::addRow("seed %d", seed) << seed;
+    }
+
+    void randomEditsEqualAFreshBuild()
+    {
+        QFETCH(int, seed);
+        GroomInput input = tiedBall(4000);
+        GroomInput::Group& group = input.groups.front();
+        group.settings.locks.sizeM = seed % 2 == 0 ? 0.0F : 0.03F;
+        group.maps[MapSlot::Clump] = mapOfTexel(1, {30000});
+        std::uint64_t chance = hash64(77, static_cast<std::uint64_t>(seed));
+        const auto next = [&](std::uint64_t below) {
+            chance = hash64(chance, 1);
+            return chance % below;
+        };
+        const auto square = [&](MapRaster& map, std::uint16_t value) {
+            const glm::vec2 low(static_cast<float>(next(80)) / 100.0F, 0.3F + static_cast<float>(next(50)) / 100.0F);
+            paintSquare(map, low, low + 0.15F, value);
+        };
+        GroomBuilder builder;
+        for (int edit = 0; edit < 14; ++edit) {
+            switch (next(8)) {
+            case 0:
+            case 1:
+                if (group.gathered)
+                    square(group.gathered, static_cast<std::uint16_t>(next(4)));
+                break;
+            case 2:
+                square(group.maps[MapSlot::Length], static_cast<std::uint16_t>(next(65536)));
+                break;
+            case 3:
+                square(group.maps[MapSlot::Braid], static_cast<std::uint16_t>(next(2)));
+                break;
+            case 4:
+                square(group.maps[MapSlot::Density], static_cast<std::uint16_t>(next(2) * 65535));
+                break;
+            case 5:
+                for (Tie& tie : group.ties) {
+                    tie.pointHd.x += 0.004F;
+                    tie.form = next(4) == 0 ? TieForm::Bun : TieForm::Tail;
+                }
+                break;
+            case 6:
+                group.ties = {tieAt(1, {0.0F, 0.6F, -0.8F})};
+                if (next(2) == 0)
+                    group.ties.push_back(tieAt(2, {0.8F, 0.2F, -0.5F}));
+                if (next(2) == 0)
+                    group.ties.push_back(tieAt(3, {0.0F, 1.0F, 0.1F}, {0.0F, 1.0F, 0.0F}));
+                break;
+            default:
+                square(group.maps[MapSlot::Clump], static_cast<std::uint16_t>(next(65536)));
+                break;
+            }
+            setThreadCount(edit % 2 == 0 ? 0 : 1);
+            const auto updated = builder.update(input).grooms.front();
+            const auto fresh = groomed(input);
+            const char* const difference = differenceOf(*updated, *fresh);
+            QVERIFY2(difference == nullptr,
+                     qPrintable(QStringLiteral("edit %1: %2").arg(edit).arg(QLatin1StringView(difference))));
+        }
+    }
+
+    void anyNumberOfThreadsGivesTheSameFrame()
+    {
+        std::vector<float> first;
+        for (const int threads : {1, 2, 5}) {
+            setThreadCount(threads);
+            Simulation simulation;
+            simulation.setInput(tiedBall());
+            simulation.settle(0.3);
+            const GroupFrame frame = frameOf(simulation);
+            if (first.empty())
+                first = frame.positions;
+            QVERIFY(sameBytes(first, frame.positions));
+        }
+    }
+
+    void aTieThatNoRootReadsIsNone()
+    {
+        GroomInput input = tiedBall();
+        const std::vector<Tie> ties = input.groups.front().ties;
+        input.groups.front().ties.clear();
+        GroomBuilder builder;
+        (void)builder.update(input);
+        input.groups.front().ties = {tieAt(9, {0.0F, 1.0F, 0.0F})};
+        QVERIFY(builder.update(input).grooms.front()->tails == nullptr);
+        input.groups.front().ties = ties;
+        QVERIFY(builder.update(input).grooms.front()->tails != nullptr);
+    }
+
+    void aDraggedTieTakesItsTailAlong()
+    {
+        GroomInput input = tiedBall();
+        Simulation simulation;
+        simulation.setInput(input);
+        simulation.settle(3.0);
+        const GroupFrame before = frameOf(simulation);
+        input.groups.front().ties.front().pointHd.x += 0.003F;
+        simulation.setInput(input);
+        QVERIFY(!simulation.isNew());
+        const GroupFrame after = frameOf(simulation);
+        forEachGathered(*after.groom, [&](std::uint32_t slot, const StrandStyle&, bool isTailed) {
+            if (isTailed)
+                QVERIFY(glm::length(frameNodes(after, slot).back() - frameNodes(before, slot).back()) < 0.02F);
+        });
+        simulation.settle(10.0);
+        QVERIFY(simulation.asleep());
+    }
+
+    void aBunIsAClosedCoilThatMovesWithTheHead()
+    {
+        GroomInput input = tiedBall();
+        Tie& tie = input.groups.front().ties.front();
+        tie.form = TieForm::Bun;
+        tie.directionHd = glm::normalize(tie.pointHd);
+        Simulation simulation;
+        simulation.setInput(input);
+        simulation.settle(0.5);
+        const GroupFrame frame = frameOf(simulation);
+        std::size_t count = 0;
+        forEachGathered(*frame.groom, [&](std::uint32_t slot, const StrandStyle& style, bool isTailed) {
+            QVERIFY(!isTailed);
+            if (style.braid == BraidKind::None)
+                return;
+            ++count;
+            const std::vector<glm::vec3> points = drawn(*frame.groom, slot, frameNodes(frame, slot), 7 * 24);
+            for (std::size_t i = static_cast<std::size_t>(24 * ringNode(frame.groom->nodes)); i < points.size(); ++i) {
+                const glm::vec3 off = points[i] - tie.pointHd;
+                const float along = glm::dot(off, tie.directionHd);
+                QVERIFY(glm::length(off - tie.directionHd * along) < tie.bunRadiusM * 1.1F);
+                QVERIFY(along > -tie.bunRadiusM && along < 2.0F * tie.bunRadiusM);
+            }
+        });
+        QVERIFY(count > 2000);
+    }
+
+    void aTailIsBraidedWhereTheBraidMapSays()
+    {
+        GroomInput input = tiedBall();
+        input.groups.front().maps[MapSlot::Braid] = mapOfTexel(1, {1});
+        Simulation simulation;
+        simulation.setInput(input);
+        simulation.settle(2.0);
+        const GroupFrame frame = frameOf(simulation);
+        const int ring = ringNode(frame.groom->nodes);
+        std::vector<glm::vec3> first;
+        forEachGathered(*frame.groom, [&](std::uint32_t slot, const StrandStyle& style, bool isTailed) {
+            if (!isTailed)
+                return;
+            QCOMPARE(style.braid, BraidKind::Plait);
+            const std::vector<glm::vec3> nodes = frameNodes(frame, slot);
+            if (first.empty())
+                first = nodes;
+            for (int node = ring; node < frame.groom->nodes; ++node)
+                QVERIFY(glm::length(nodes[static_cast<std::size_t>(node)] - first[static_cast<std::size_t>(node)]) <
+                        1e-4F);
+        });
+        QVERIFY(!first.empty());
+    }
+
+    void tautHairIsStraightWhereverItCurls()
+    {
+        GroomInput input = tiedBall();
+        const auto straight = groomed(input);
+        input.groups.front().maps[MapSlot::Curl] = mapOfTexel(1, {40000});
+        const auto curled = groomed(input);
+        std::size_t curls = 0;
+        forEachGathered(*curled, [&](std::uint32_t slot, const StrandStyle& style, bool) {
+            const std::vector<glm::vec3> a = drawn(*straight, slot, restNodes(*straight, slot), 7 * 24);
+            const std::vector<glm::vec3> b = drawn(*curled, slot, restNodes(*curled, slot), 7 * 24);
+            const auto ring = static_cast<std::size_t>(24 * ringNode(curled->nodes));
+            for (std::size_t i = 0; i + 24 <= ring; ++i)
+                QVERIFY(glm::length(a[i] - b[i]) < 1e-5F);
+            curls += style.turns > 0.0F && glm::length(a[ring + 40] - b[ring + 40]) > 1e-3F ? 1 : 0;
+        });
+        QVERIFY(curls > 1000);
+    }
+
+    void withoutADistanceGridTheSkinItselfIsAsked()
+    {
+        GroomInput input = tiedBall(600);
+        input.distances = nullptr;
+        const auto groom = groomed(input);
+        forEachGathered(*groom, [&](std::uint32_t slot, const StrandStyle&, bool) {
+            for (int node = 1; node < ringNode(groom->nodes); ++node)
+                QVERIFY(glm::length(restNode(*groom, slot, node)) > kBallM - 0.0005F);
+        });
+    }
+};
+
+HAIRPAINT_TEST(TestGathered, None)
+#include "test_gathered.moc"
