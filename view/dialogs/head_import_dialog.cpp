@@ -53,6 +53,7 @@ HeadImportDialog::HeadImportDialog(model::RiggedMesh source, const QString& file
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 16, 16, 16);
     layout->setSpacing(metrics::kPadding);
+    layout->addStrut(428); // A minimum width of the dialog would let it be narrower than its words.
     auto* title = new QLabel(fileName, this);
     title->setProperty("role", QStringLiteral("title"));
     title->setTextFormat(Qt::PlainText);
@@ -69,7 +70,6 @@ HeadImportDialog::HeadImportDialog(model::RiggedMesh source, const QString& file
     m_buttons->button(QDialogButtonBox::Ok)->setText(tr("Import"));
     m_buttons->button(QDialogButtonBox::Cancel)->setText(m_refusal.isEmpty() ? tr("Cancel") : tr("Close"));
     layout->addWidget(m_buttons);
-    setMinimumWidth(460);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     guess();
