@@ -8,8 +8,8 @@
 
 #include <QImage>
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QRegularExpression>
+#include <QTemporaryDir>
 #include <QtTest>
 
 #ifdef Q_OS_LINUX
