@@ -2,6 +2,26 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
+    <name>CommandLine</name>
+    <message numerus="yes">
+        <source>%1: %Ln strands left out, which are broken</source>
+        <translation>
+            <numerusform>%1: %Ln strand left out, which is broken</numerusform>
+            <numerusform>%1: %Ln strands left out, which are broken</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::HairExchange</name>
+    <message numerus="yes">
+        <source>%1 imported; %Ln strands left out, which are broken</source>
+        <translation>
+            <numerusform>%1 imported; %Ln strand left out, which is broken</numerusform>
+            <numerusform>%1 imported; %Ln strands left out, which are broken</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::app::MapExchange</name>
     <message numerus="yes">
         <source>There are already %Ln of these files, &apos;%1&apos; among them. Replace them?</source>

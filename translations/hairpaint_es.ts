@@ -552,6 +552,21 @@
         <source>where the face of that mesh looks: x, -x, y, -y, z or -z; z, or -y where z points up, unless given</source>
         <translation>hacia dónde mira la cara de esa malla: x, -x, y, -y, z o -z; si no se indica, z, o -y si z apunta hacia arriba</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; holds no image that is named after a map, as head_density.png is; rename them or choose another folder.</source>
+        <translation>«%1» no contiene ninguna imagen con el nombre de un mapa, como head_density.png; cambia sus nombres o elige otra carpeta.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %Ln strands left out, which are broken</source>
+        <translation>
+            <numerusform>%1: se omitió %Ln pelo dañado</numerusform>
+            <numerusform>%1: se omitieron %Ln pelos dañados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>each image of it as the map that its name tells: Scalp-density.png, head_length.0001.exr</source>
+        <translation>cada imagen de esa carpeta como el mapa que dice su nombre: Scalp-density.png, head_length.0001.exr</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -1246,10 +1261,6 @@
         <translation>no contiene pelo; elige otro archivo</translation>
     </message>
     <message>
-        <source>its hair lies beyond all measure; export it again</source>
-        <translation>su pelo está fuera de toda medida; expórtalo de nuevo</translation>
-    </message>
-    <message>
         <source>its hair is cut short or broken; export it again</source>
         <translation>su pelo está cortado o dañado; expórtalo de nuevo</translation>
     </message>
@@ -1344,6 +1355,22 @@
     <message>
         <source>it can&apos;t be read (%1); try another copy of it, or export it once more</source>
         <translation>no se puede leer (%1); pruebe otra copia o expórtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>it holds layers without the picture that they make; save it with “Maximize compatibility” on, or as PNG or TIFF, and try again</source>
+        <translation>contiene capas sin la imagen que forman; guárdalo con «Maximizar compatibilidad» activado, o como PNG o TIFF, e inténtalo de nuevo</translation>
+    </message>
+    <message>
+        <source>its hair does not lie on this head in the unit and axis that it is told to have; tell others, or none</source>
+        <translation>su pelo no queda sobre esta cabeza con la unidad y el eje que se le indicaron; indica otros, o ninguno</translation>
+    </message>
+    <message>
+        <source>its curves are NURBS, which are not read; export them as basis curves</source>
+        <translation>sus curvas son NURBS, que no se leen; expórtalas como curvas de base (BasisCurves)</translation>
+    </message>
+    <message>
+        <source>its hair is in other files, which it refers to; export it flattened into one</source>
+        <translation>su pelo está en otros archivos a los que remite; expórtalo aplanado en uno solo</translation>
     </message>
 </context>
 <context>
@@ -3566,6 +3593,14 @@
         <source>Fill %1</source>
         <translation>Rellenar %1</translation>
     </message>
+    <message>
+        <source>The clipboard holds text, which no map can take; copy a picture or a file</source>
+        <translation>El portapapeles contiene texto, que ningún mapa puede recibir; copia una imagen o un archivo</translation>
+    </message>
+    <message>
+        <source>The clipboard holds nothing that a map can take (%1); copy a picture or a file</source>
+        <translation>El portapapeles no contiene nada que un mapa pueda recibir (%1); copia una imagen o un archivo</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::EditMenu</name>
@@ -3712,6 +3747,10 @@
         <source>Import hair &amp;curves…</source>
         <translation>Importar cur&amp;vas de pelo…</translation>
     </message>
+    <message>
+        <source>Loa&amp;d maps…</source>
+        <translation>Cargar ma&amp;pas…</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::FileWork</name>
@@ -3817,6 +3856,13 @@
     <message>
         <source>The Blender add-on was not installed: cancelled</source>
         <translation>No se instaló el complemento de Blender: cancelado</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 imported; %Ln strands left out, which are broken</source>
+        <translation>
+            <numerusform>Se importó %1; se omitió %Ln pelo dañado</numerusform>
+            <numerusform>Se importó %1; se omitieron %Ln pelos dañados</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4126,10 +4172,6 @@
         <translation>Cargar imagen en %1</translation>
     </message>
     <message>
-        <source>Images (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)</source>
-        <translation>Imágenes (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)</translation>
-    </message>
-    <message>
         <source>Load %1 into %2</source>
         <translation>Cargar %1 en %2</translation>
     </message>
@@ -4148,6 +4190,22 @@
     <message>
         <source>The maps were not written: cancelled</source>
         <translation>No se escribieron los mapas: cancelado</translation>
+    </message>
+    <message>
+        <source>Images (%1)</source>
+        <translation>Imágenes (%1)</translation>
+    </message>
+    <message>
+        <source>Load maps</source>
+        <translation>Cargar mapas</translation>
+    </message>
+    <message>
+        <source>There is no image in &apos;%1&apos;; choose a folder that holds some.</source>
+        <translation>No hay ninguna imagen en «%1»; elige una carpeta que contenga alguna.</translation>
+    </message>
+    <message>
+        <source>the copied image</source>
+        <translation>la imagen copiada</translation>
     </message>
 </context>
 <context>
@@ -5434,6 +5492,37 @@ Se ha perdido esto:</translation>
     </message>
 </context>
 <context>
+    <name>hairpaint::view::ImageReadingDialog</name>
+    <message>
+        <source>Read the image</source>
+        <translation>Leer la imagen</translation>
+    </message>
+    <message>
+        <source>What are the pixels of %1 to the map %2?</source>
+        <translation>¿Qué son los píxeles de %1 para el mapa %2?</translation>
+    </message>
+    <message>
+        <source>&amp;Colours of its scale</source>
+        <translation>&amp;Colores de su escala</translation>
+    </message>
+    <message>
+        <source>&amp;Brightness is the value</source>
+        <translation>El &amp;brillo es el valor</translation>
+    </message>
+    <message>
+        <source>The map as it would be</source>
+        <translation>El mapa tal como quedaría</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Cargar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::KeysPage</name>
     <message>
         <source>Search by name or key</source>
@@ -5717,6 +5806,33 @@ Se ha perdido esto:</translation>
     <message>
         <source>%1: %2 x %2 texels</source>
         <translation>%1: %2 x %2 téxeles</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::MapTableDialog</name>
+    <message>
+        <source>Load maps</source>
+        <translation>Cargar mapas</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>No se carga</translation>
+    </message>
+    <message>
+        <source>Map of %1</source>
+        <translation>Mapa de %1</translation>
+    </message>
+    <message>
+        <source>Hair group of %1</source>
+        <translation>Grupo de pelo de %1</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Cargar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
     </message>
 </context>
 <context>

@@ -3,9 +3,11 @@
 #include "app/cli/command.h"
 #include "app/cli/option_values.h"
 #include "app/cli/space_options.h"
+#include "app/cli/terminal.h"
 #include "app/styles/library.h"
 #include "model/document/commands.h"
 #include "model/files/image_map.h"
+#include "model/files/map_names.h"
 #include "model/files/project_file.h"
 #include "model/importing/curve_import.h"
 #include "model/project/content_budget.h"
@@ -13,10 +15,12 @@
 #include "model/values/names.h"
 #include "model/values/sentences.h"
 
+#include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 namespace hairpaint::app {
@@ -68,6 +72,25 @@ model::HairGroup* findGroup(model::Project& project, const QString& name)
     return found == project.groups.end() ? nullptr : &*found;
 }
 
+/// Those of --maps that name a map.
+model::Result<std::vector<MapArgument>> mapsOfFolder(const model::Project& project, const QString& folder)
+{
+    QStringList patterns;
+    for (const QString& ending : model::imageEndings())
+        patterns += QStringLiteral("*.") + ending;
+    std::vector<MapArgument> maps;
+    for (const QFileInfo& file : QDir(folder).entryInfoList(patterns, QDir::Files, QDir::Name))
+        if (const std::optional<model::NamedMap> named = model::mapNamedBy(file.filePath(), project.groups))
+            maps.push_back({.group = named->group ? project.groups[*named->group].name : QString(),
+                            .spec = &model::mapSpec(named->kind),
+                            .image = file.filePath()});
+    if (maps.empty())
+        return model::failure(CommandLine::tr("'%1' holds no image that is named after a map, as head_density.png is; "
+                                              "rename them or choose another folder.")
+                                  .arg(model::shownPath(folder)));
+    return maps;
+}
+
 model::Result<void> importMap(model::Project& project, const MapArgument& argument)
 {
     model::HairGroup* group = findGroup(project, argument.group);
@@ -76,7 +99,8 @@ model::Result<void> importMap(model::Project& project, const MapArgument& argume
             CommandLine::tr("'%1' goes to the hair group '%2', and the project has none of that name; "
                             "name one that it has.")
                 .arg(argument.image, argument.group));
-    model::Result<model::ImageLayer> image = model::layerFromFile(argument.image, *argument.spec, argument.grey, 0);
+    model::Result<model::ImageLayer> image =
+        model::layerFromFile(argument.image, *argument.spec, argument.grey ? std::optional(true) : std::nullopt, 0);
     if (!image)
         return tl::unexpected(image.error());
     model::MapStack& stack = group->map(argument.spec->kind);
@@ -91,9 +115,15 @@ model::Result<void> importMap(model::Project& project, const MapArgument& argume
 /// Adds a file's groups to the project.
 model::Result<void> importCurves(model::Project& project, const QString& path, const model::CurveSpaceChoice& choice)
 {
-    model::Result<std::vector<model::HairGroup>> groups = model::groupsFromCurves(path, choice, project.head);
+    std::size_t leftOut = 0;
+    model::Result<std::vector<model::HairGroup>> groups =
+        model::groupsFromCurves(path, choice, project.head, {}, &leftOut);
     if (!groups)
         return tl::unexpected(groups.error());
+    if (leftOut > 0)
+        (void)printLines(
+            {CommandLine::tr("%1: %Ln strands left out, which are broken", nullptr, static_cast<int>(leftOut))
+                 .arg(model::shownPath(path))});
     for (model::HairGroup& group : *groups)
         model::adoptGroup(project, std::move(group));
     return {};
@@ -165,6 +195,12 @@ ExitCode runNew(const QStringList& arguments)
     for (const QString& path : parser.values(kCurves))
         if (const model::Result<void> imported = importCurves(project, path, *curveSpace); !imported)
             return failed(imported.error());
+    if (const QString folder = parser.value(QStringLiteral("maps")); !folder.isEmpty()) {
+        model::Result<std::vector<MapArgument>> found = mapsOfFolder(project, folder);
+        if (!found)
+            return failed(found.error());
+        maps.insert(maps.begin(), found->begin(), found->end()); // Those named one by one count more.
+    }
     for (const MapArgument& map : maps) {
         if (const model::Result<void> imported = importMap(project, map); !imported)
             return failed(imported.error());

@@ -8,7 +8,7 @@ class QCommandLineParser;
 
 namespace hairpaint::app {
 
-/// --curves-unit and --curves-axis; none where either is nonsense, with the usage printed.
+/// The unit and axis of curves; none where either is nonsense, with the usage printed.
 [[nodiscard]] std::optional<model::CurveSpaceChoice> curveSpaceOptions(const QCommandLineParser& parser,
                                                                        const char* command);
 /// --head-unit, --head-axis and --head-facing, likewise.

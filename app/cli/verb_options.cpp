@@ -104,6 +104,8 @@ std::vector<CommandOption> newOptions()
          CommandLine::tr("that points up in those files: y or z; as they say, or as it fits, unless given")},
         {QStringLiteral("--map [GROUP/]KIND[:grey]=IMAGE"),
          CommandLine::tr("an image as a map, by its colours, or by its brightness with :grey"), Use::Repeated},
+        {QStringLiteral("--maps FOLDER"),
+         CommandLine::tr("each image of it as the map that its name tells: Scalp-density.png, head_length.0001.exr")},
         {QStringLiteral("--seed N"), CommandLine::tr("another drawing of the roots; 1 unless given")},
         {QStringLiteral("--max-candidates N"),
          CommandLine::tr("limit on the places, over the whole head, where hair may stand (was: --max-hairs)"),

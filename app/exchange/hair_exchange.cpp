@@ -169,9 +169,11 @@ void HairExchange::importHairFrom(const QString& path)
         return;
     const model::CurveSpaceChoice choice = dialog.choice();
     const std::shared_ptr<const model::Head> head = document.committed().head;
-    std::optional<Groups> groups = m_files.read<Groups>(path, [path, choice, head](const model::Progress& progress) {
-        return model::groupsFromCurves(path, choice, head, progress);
-    });
+    const auto leftOut = std::make_shared<std::size_t>(0);
+    std::optional<Groups> groups =
+        m_files.read<Groups>(path, [path, choice, head, leftOut](const model::Progress& progress) {
+            return model::groupsFromCurves(path, choice, head, progress, leftOut.get());
+        });
     if (!groups)
         return;
     if (document.committed().head != head)
@@ -180,7 +182,10 @@ void HairExchange::importHairFrom(const QString& path)
     document.push(model::importHairCommand(document, std::move(*groups), name));
     if (document.committed().groups.size() > before)
         m_session.editor().target().setGroup(document.committed().groups[before].id);
-    m_files.tell(tr("%1 imported").arg(name));
+    m_files.tell(
+        *leftOut == 0
+            ? tr("%1 imported").arg(name)
+            : tr("%1 imported; %Ln strands left out, which are broken", nullptr, static_cast<int>(*leftOut)).arg(name));
 }
 
 void HairExchange::installBlenderAddon()

@@ -5,7 +5,10 @@
 #include "model/exporting/uv_sheet.h"
 #include "model/files/image_map.h"
 #include "model/files/importer_client.h"
+#include "model/files/map_names.h"
 #include "model/values/names.h"
+#include "model/values/sentences.h"
+#include "view/dialogs/map_table_dialog.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -24,6 +27,67 @@ const model::MapStack* mapOf(const model::Document& document, const model::Layer
     return group != nullptr ? &group->map(address.map) : nullptr;
 }
 
+constexpr int kPreviewPixels = 256;
+
+/// The layer as the map that it makes over nothing.
+QImage previewOf(const sim::TiledRaster& layer, const model::MapSpec& spec)
+{
+    sim::TiledRaster resolved(layer.size(), spec.valueChannels);
+    for (int y = 0; y < layer.size(); ++y)
+        for (int x = 0; x < layer.size(); ++x) {
+            const sim::Texel texel = layer.texel(x, y);
+            resolved.setTexel(x, y,
+                              texel[static_cast<std::size_t>(spec.valueChannels)] == 0 ? spec.defaultValue : texel);
+        }
+    QImage image(layer.size(), layer.size(), QImage::Format_RGB32);
+    model::paintMapTexels(resolved, spec, false, {0, 0, layer.size(), layer.size()},
+                          reinterpret_cast<QRgb*>(image.bits()), image.width());
+    return image;
+}
+
+/// Empty where there is not enough memory.
+view::ReadingPreview previewsOf(const model::ForeignImage& image, const model::MapSpec& spec)
+{
+    const auto one = [&](bool grey) {
+        const model::Result<sim::TiledRaster> layer = model::layerFromImage(image, spec, grey, kPreviewPixels);
+        return layer ? previewOf(*layer, spec) : QImage();
+    };
+    return {.asScale = one(false), .asValue = one(true)};
+}
+
+model::ForeignImage foreignFrom(const QImage& image)
+{
+    const QImage small = image.scaled(kPreviewPixels, kPreviewPixels).convertToFormat(QImage::Format_RGBA64);
+    model::ForeignImage foreign{.width = small.width(), .height = small.height(), .channels = 4, .pixels = {}};
+    for (int y = 0; y < small.height(); ++y) {
+        const auto* const pixels = reinterpret_cast<const QRgba64*>(small.constScanLine(y));
+        for (int x = 0; x < small.width(); ++x)
+            foreign.pixels.insert(foreign.pixels.end(),
+                                  {pixels[x].red(), pixels[x].green(), pixels[x].blue(), pixels[x].alpha()});
+    }
+    return foreign;
+}
+
+/// An image that goes to a map.
+struct ReadImage
+{
+    model::ForeignImage image;
+    model::ImageReading reading = model::ImageReading::Scale;
+    view::ReadingPreview preview; ///< Where it is either.
+};
+
+model::Result<ReadImage> readFor(const QString& path, const model::MapSpec& spec, const model::Progress& progress)
+{
+    model::Result<model::ForeignImage> image = model::imageForMap(path, spec, progress);
+    if (!image)
+        return tl::unexpected(image.error());
+    ReadImage read{.image = std::move(*image), .preview = {}};
+    read.reading = model::readingOf(read.image.pixels, read.image.channels, spec);
+    if (read.reading == model::ImageReading::Either)
+        read.preview = previewsOf(read.image, spec);
+    return read;
+}
+
 } // namespace
 
 MapExchange::MapExchange(Session& session, FileWork& files)
@@ -35,28 +99,95 @@ QString MapExchange::noGroupText()
     return tr("There is no hair group whose map it could be; add one in the panel Hair.");
 }
 
-void MapExchange::importImage(bool grey)
+void MapExchange::importImage(std::optional<bool> grey)
 {
-    const QString path =
-        m_files.askOpenPath(tr("Load image into %1").arg(model::mapSpec(m_session.editor().target().map()).titleText()),
-                            tr("Images (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)"));
+    const QString path = m_files.askOpenPath(
+        tr("Load image into %1").arg(model::mapSpec(m_session.editor().target().map()).titleText()),
+        tr("Images (%1)").arg(QStringLiteral("*.") + model::imageEndings().join(QLatin1String(" *."))));
     if (!path.isEmpty())
         importImageFrom(path, grey);
 }
 
-void MapExchange::importImageFrom(const QString& path, bool grey)
+void MapExchange::importImageFrom(const QString& path, std::optional<bool> grey)
+{
+    m_session.endPreviews(); // What is only shown is no target.
+    importImageInto(path, grey, m_session.editor().target().address());
+}
+
+void MapExchange::importFolder()
+{
+    const QString folder = m_files.askFolder(tr("Load maps"));
+    if (folder.isEmpty())
+        return;
+    QStringList patterns;
+    for (const QString& ending : model::imageEndings())
+        patterns += QStringLiteral("*.") + ending;
+    QStringList paths;
+    for (const QFileInfo& file : QDir(folder).entryInfoList(patterns, QDir::Files, QDir::Name))
+        paths += file.filePath();
+    if (paths.isEmpty())
+        return m_files.complain(
+            tr("There is no image in '%1'; choose a folder that holds some.").arg(model::shownPath(folder)));
+    importImages(paths);
+}
+
+void MapExchange::importImages(const QStringList& paths)
+{
+    m_session.endPreviews();
+    const model::Project& project = m_session.document().committed();
+    if (project.groups.empty())
+        return m_files.complain(noGroupText());
+    std::size_t active = 0;
+    QStringList names;
+    std::vector<model::Id> groups;
+    for (const model::HairGroup& group : project.groups) {
+        if (group.id == m_session.editor().target().group())
+            active = groups.size();
+        groups.push_back(group.id);
+        names += model::shownName(group.name);
+    }
+    std::vector<view::ImageForMap> images;
+    for (const QString& path : paths) {
+        const std::optional<model::NamedMap> named = model::mapNamedBy(path, project.groups);
+        images.push_back({.path = path,
+                          .map = named ? std::optional(named->kind) : std::nullopt,
+                          .group = named && named->group ? *named->group : active});
+    }
+    view::MapTableDialog dialog(images, names, &m_files.window());
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    for (const view::ImageForMap& image : dialog.choice())
+        if (image.map)
+            importImageInto(image.path, std::nullopt, {.group = groups[image.group], .map = *image.map, .layer = 0});
+}
+
+void MapExchange::importImageInto(const QString& path, std::optional<bool> grey, const model::LayerAddress& target)
 {
     model::Document& document = m_session.document();
-    m_session.endPreviews(); // What is only shown is no target.
-    const model::LayerAddress target = m_session.editor().target().address();
     const model::MapStack* map = mapOf(document, target);
     if (map == nullptr)
         return m_files.complain(noGroupText());
     const model::MapSpec& spec = model::mapSpec(target.map);
     const QString name = QFileInfo(path).fileName();
-    std::optional<model::ImageLayer> image =
-        m_files.read<model::ImageLayer>(path, [path, &spec, grey, size = map->size](const model::Progress& progress) {
-            return model::layerFromFile(path, spec, grey, size, progress);
+    std::optional<ReadImage> read = m_files.read<ReadImage>(
+        path, [path, &spec](const model::Progress& progress) { return readFor(path, spec, progress); });
+    if (!read)
+        return;
+    if (!grey && read->reading == model::ImageReading::Either) {
+        grey = askReading(name, spec, read->preview);
+        if (!grey)
+            return;
+    }
+    map = mapOf(document, target); // The dialog lets time pass.
+    if (map == nullptr)
+        return;
+    const bool isGrey = grey.value_or(read->reading == model::ImageReading::Value);
+    const auto foreign = std::make_shared<const model::ForeignImage>(std::move(read->image));
+    std::optional<model::ImageLayer> image = m_files.read<model::ImageLayer>(
+        path, [foreign, &spec, isGrey, size = map->size](const model::Progress& /*progress*/) {
+            return model::layerFromImage(*foreign, spec, isGrey, size).map([&foreign](sim::TiledRaster raster) {
+                return model::ImageLayer{.raster = std::move(raster), .imageSize = {foreign->width, foreign->height}};
+            });
         });
     if (!image)
         return;
@@ -75,6 +206,36 @@ void MapExchange::importImageFrom(const QString& path, bool grey)
                          .arg(image->imageSize.width())
                          .arg(image->imageSize.height())
                          .arg(mapSize.width()));
+}
+
+std::optional<bool> MapExchange::askReading(const QString& name, const model::MapSpec& spec,
+                                            const view::ReadingPreview& preview)
+{
+    view::ImageReadingDialog dialog(name, spec.titleText(), preview, &m_files.window());
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    return dialog.isValue();
+}
+
+std::optional<model::Clip> MapExchange::clipFrom(const QImage& image)
+{
+    const model::LayerAddress target = m_session.editor().target().address();
+    const model::MapStack* map = mapOf(m_session.document(), target);
+    if (map == nullptr || image.isNull())
+        return std::nullopt;
+    const model::MapSpec& spec = model::mapSpec(target.map);
+    const model::ImageReading reading = model::readingOf(image, spec);
+    bool isGrey = reading == model::ImageReading::Value;
+    if (reading == model::ImageReading::Either) {
+        const std::optional<bool> told = askReading(tr("the copied image"), spec, previewsOf(foreignFrom(image), spec));
+        if (!told)
+            return std::nullopt;
+        isGrey = *told;
+    }
+    const QRectF area = m_session.editor().tools().selection().rectangle().value_or(QRectF(0.0, 0.0, 1.0, 1.0));
+    map = mapOf(m_session.document(), target); // The dialog lets time pass.
+    return map == nullptr ? std::nullopt
+                          : std::optional(model::clipFromImage(image, target.map, isGrey, map->size, area));
 }
 
 void MapExchange::exportMap()

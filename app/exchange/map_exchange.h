@@ -4,7 +4,13 @@
 #include "app/exchange/file_work.h"
 #include "app/exchange/outside_edit.h"
 #include "app/session/session.h"
+#include "model/files/image_map.h"
+#include "model/tools/clipboard.h"
 #include "view/dialogs/export_maps_dialog.h"
+#include "view/dialogs/image_reading_dialog.h"
+
+#include <functional>
+#include <optional>
 
 namespace hairpaint::app {
 
@@ -15,9 +21,15 @@ class MapExchange : public QObject
 public:
     MapExchange(Session& session, FileWork& files);
 
-    /// Into the active map; `grey`: brightness is the value, else the image's colours are read by the map's scale.
-    void importImage(bool grey); ///< Asks for the file.
-    void importImageFrom(const QString& path, bool grey);
+    /// Into the active map; `grey`: brightness is the value. None: as its pixels tell, or as the user says where they
+    /// allow both.
+    void importImage(std::optional<bool> grey); ///< Asks for the file.
+    void importImageFrom(const QString& path, std::optional<bool> grey);
+    /// Each to the map that its name tells, after a table to correct that; a step to be undone each.
+    void importImages(const QStringList& paths);
+    void importFolder(); ///< The same of the images of a folder; asks for it.
+    /// A picture of another program's clipboard as a clip for the active map; none where that was cancelled.
+    [[nodiscard]] std::optional<model::Clip> clipFrom(const QImage& image);
     void exportMap(); ///< The active map in its scale.
 
     void saveMaps();  ///< Asks which and how, and for a folder.
@@ -26,6 +38,11 @@ public:
     void editOutside();
 
 private:
+    /// As a layer on top of the map of `target`, whose layer is not looked at.
+    void importImageInto(const QString& path, std::optional<bool> grey, const model::LayerAddress& target);
+    /// Whether brightness is the value; none where the user cancels.
+    [[nodiscard]] std::optional<bool> askReading(const QString& name, const model::MapSpec& spec,
+                                                 const view::ReadingPreview& preview);
     [[nodiscard]] std::vector<model::WantedMap> wantedMaps(view::MapRange range);
     [[nodiscard]] static QString noGroupText();
 

@@ -1,5 +1,11 @@
-// Reading and writing images through OpenImageIO, without association of alpha in either direction.
+// Reading and writing images through OpenImageIO, which leaves alpha as the file has it.
 #include "app/importer/image_io.h"
+
+#include "app/importer/image_channels.h"
+#include "app/importer/image_light.h"
+#include "app/importer/stored_tags.h"
+#include "app/importer/webp_input.h"
+#include "model/values/srgb.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -7,7 +13,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <optional>
 
 namespace hairpaint::importer {
 
@@ -60,28 +69,6 @@ wire::Reason reasonOf(const std::string& message)
     return wire::Reason::UnknownFormat;
 }
 
-/// All pixels with 16 bits a channel. The library converts from 8 bits through floats, to the same values.
-bool readSamples(OIIO::ImageInput& input, int channels, std::vector<std::uint16_t>& samples)
-{
-    if (input.spec().format != OIIO::TypeDesc::UINT8)
-        return input.read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT16, samples.data());
-    std::vector<std::uint8_t> bytes(samples.size());
-    if (!input.read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, bytes.data()))
-        return false;
-    constexpr unsigned kSpread = 0xFFFFU / 0xFFU;
-    std::ranges::transform(bytes, samples.begin(),
-                           [](std::uint8_t byte) { return static_cast<std::uint16_t>(kSpread * byte); });
-    return true;
-}
-
-/// Channels as grey, grey and alpha, RGB or RGBA. An alpha that stands elsewhere than second or fourth is left out.
-int keptChannels(const OIIO::ImageSpec& spec)
-{
-    if (spec.nchannels == 2)
-        return spec.alpha_channel == 1 ? 2 : 1;
-    return std::min(spec.nchannels, 4);
-}
-
 /// The library takes what follows a question mark for options; whoever reads one format does not.
 std::unique_ptr<OIIO::ImageInput> openPlainly(const std::string& path, const OIIO::ImageSpec& config)
 {
@@ -97,46 +84,170 @@ std::unique_ptr<OIIO::ImageInput> openPlainly(const std::string& path, const OII
     return nullptr;
 }
 
-std::unique_ptr<OIIO::ImageInput> openImage(const std::string& path)
+std::unique_ptr<OIIO::ImageInput> openImage(const std::string& path, bool isRaw)
 {
     OIIO::ImageSpec config;
     config.attribute(kUnassociated, 1);
+    if (isRaw)
+        config.attribute("oiio:RawColor", 1);
     return path.find('?') == std::string::npos ? OIIO::ImageInput::open(path, &config) : openPlainly(path, config);
+}
+
+std::filesystem::path asPath(const std::string& path)
+{
+    return std::u8string(path.begin(), path.end());
+}
+
+std::vector<std::uint8_t> profileOf(const OIIO::ImageSpec& spec)
+{
+    const OIIO::ParamValue* value = spec.find_attribute("ICCProfile");
+    if (value == nullptr || value->type().basetype != OIIO::TypeDesc::UINT8)
+        return {};
+    const auto* bytes = static_cast<const std::uint8_t*>(value->data());
+    return {bytes, bytes + value->type().size()};
+}
+
+bool isFloating(OIIO::TypeDesc format)
+{
+    return format == OIIO::TypeDesc::HALF || format == OIIO::TypeDesc::FLOAT || format == OIIO::TypeDesc::DOUBLE;
+}
+
+/// Whether its colours are of linear light: as the file says, else where its numbers are floats.
+bool isLinear(const OIIO::ImageSpec& spec)
+{
+    const std::string space = spec.get_string_attribute("oiio:ColorSpace");
+    return space.empty() ? isFloating(spec.format) : OIIO::Strutil::iequals(space, "linear") || space == "scene_linear";
+}
+
+/// Greys of a TIFF whose 0 is white. The library turns 8 bits alone, and their alpha with them.
+void turnWhite(wire::Image& image, bool isTurned)
+{
+    for (std::size_t i = 0; i < image.samples.size(); ++i) {
+        const bool isAlpha = i % image.channels != 0;
+        if (isAlpha == isTurned)
+            image.samples[i] = static_cast<std::uint16_t>(65535U - image.samples[i]);
+    }
+}
+
+/// The first image of a file that the library has opened.
+tl::expected<wire::Image, wire::Reason> readOpened(OIIO::ImageInput& input, const StoredTags& tags, bool isColour)
+{
+    const OIIO::ImageSpec spec = input.spec();
+    if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || spec.nchannels < 1)
+        return tl::unexpected(wire::Reason::Damaged);
+    const std::string format = input.format_name();
+    const bool isExr = format == "openexr";
+    const SampleReading reading{.channels = channelsOf(spec, tags),
+                                // By OpenEXR's definition, whatever the library makes of the others.
+                                .isAssociated = isExr || tags.isAssociated,
+                                .isLinear = isColour && isLinear(spec),
+                                .isShown = isExr && (spec.x != spec.full_x || spec.y != spec.full_y ||
+                                                     spec.width != spec.full_width || spec.height != spec.full_height)};
+    auto image = readSamples(input, reading);
+    if (!image)
+        return image.error() == wire::Reason::Damaged && input.geterror().find("ompression") != std::string::npos
+                   ? tl::unexpected(wire::Reason::UnknownCompression)
+                   : image;
+    if (tags.lowIsWhite)
+        turnWhite(*image, spec.format == OIIO::TypeDesc::UINT8);
+    if (isColour && !reading.isLinear)
+        toSrgb(*image, profileOf(spec));
+    makeUpright(*image, tags.orientation != 0 ? tags.orientation : spec.get_int_attribute("Orientation", 1));
+    return image;
+}
+
+/// A picture of inks as colours, by its own profile; none where it is none, or has no profile.
+std::optional<wire::Image> readInks(const std::string& path, const OIIO::ImageSpec& spec)
+{
+    if (!OIIO::Strutil::iequals(spec.get_string_attribute("tiff:ColorSpace"), "CMYK") || profileOf(spec).empty())
+        return std::nullopt;
+    const auto input = openImage(path, true);
+    if (!input || input->spec().nchannels < 4)
+        return std::nullopt;
+    auto image = readSamples(*input, {.channels = {.colours = {0, 1, 2, 3}}});
+    if (!image)
+        return std::nullopt;
+    toSrgb(*image, profileOf(spec), true);
+    makeUpright(*image, spec.get_int_attribute("Orientation", 1));
+    return *std::move(image);
+}
+
+/// A TIFF without tag 258, with it.
+tl::expected<wire::Image, wire::Reason> readBilevel(const std::string& path, const StoredTags& tags, bool isColour)
+{
+    std::ifstream file(asPath(path), std::ios::binary);
+    const std::vector<char> read(std::istreambuf_iterator<char>(file), {});
+    std::optional<std::vector<std::uint8_t>> whole =
+        withBitsPerSample(std::vector<std::uint8_t>(read.begin(), read.end()));
+    if (!whole)
+        return tl::unexpected(wire::Reason::Damaged);
+    OIIO::Filesystem::IOMemReader proxy(whole->data(), whole->size());
+    const auto input = OIIO::ImageInput::create("tiff");
+    OIIO::ImageSpec spec;
+    OIIO::ImageSpec config;
+    config.attribute(kUnassociated, 1);
+    if (!input || !input->set_ioproxy(&proxy) || !input->open("bilevel.tif", spec, config))
+        return tl::unexpected(wire::Reason::Damaged);
+    return readOpened(*input, tags, isColour);
+}
+
+/// As OpenEXR has it: colours of linear light, multiplied by alpha.
+bool writeFloats(OIIO::ImageOutput& output, const wire::Image& image, bool isColour)
+{
+    const bool hasAlpha = image.channels % 2 == 0;
+    const std::size_t colours = image.channels - (hasAlpha ? 1 : 0);
+    std::vector<float> row(std::size_t{image.width} * image.channels);
+    for (std::uint32_t y = 0; y < image.height; ++y) {
+        const std::uint16_t* sample = image.samples.data() + std::size_t{y} * row.size();
+        for (std::size_t at = 0; at < row.size(); at += image.channels) {
+            const float alpha = hasAlpha ? static_cast<float>(sample[at + colours]) / 65535.0F : 1.0F;
+            for (std::size_t i = 0; i < colours; ++i) {
+                const float value = static_cast<float>(sample[at + i]) / 65535.0F;
+                row[at + i] = (isColour ? model::linearFromSrgb(value) : value) * alpha;
+            }
+            if (hasAlpha)
+                row[at + colours] = alpha;
+        }
+        if (!output.write_scanline(static_cast<int>(y), 0, OIIO::TypeDesc::FLOAT, row.data()))
+            return false;
+    }
+    return true;
 }
 
 } // namespace
 
-tl::expected<wire::Image, wire::Reason> readImage(const std::string& path)
+tl::expected<wire::Image, wire::Reason> readImage(const std::string& path, bool isColour)
 {
     setGlobals();
-    const auto input = openImage(path);
+    std::ifstream file(asPath(path), std::ios::binary);
+    const StoredTags tags = readStoredTags(file);
+    file.close();
+    if (tags.lacksMergedPicture)
+        return tl::unexpected(wire::Reason::LayersOnly);
+    if (auto webp = readWebp(path)) {
+        if (!*webp)
+            return tl::unexpected(webp->error());
+        wire::Image image = std::move((*webp)->image);
+        if (isColour)
+            toSrgb(image, (*webp)->profile);
+        makeUpright(image, (*webp)->orientation);
+        return image;
+    }
+    if (tags.lacksBitsPerSample)
+        return readBilevel(path, tags, isColour);
+    const auto input = openImage(path, false);
     if (!input) {
         std::error_code unreadable;
-        const bool there =
-            std::filesystem::exists(std::filesystem::path(std::u8string(path.begin(), path.end())), unreadable);
+        const bool there = std::filesystem::exists(asPath(path), unreadable);
         return tl::unexpected(there ? reasonOf(OIIO::geterror()) : wire::Reason::CannotOpen);
     }
-    const OIIO::ImageSpec& spec = input->spec();
-    const int channels = keptChannels(spec);
-    if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || channels < 1)
-        return tl::unexpected(wire::Reason::Damaged);
-    wire::Image image{.width = static_cast<std::uint32_t>(spec.width),
-                      .height = static_cast<std::uint32_t>(spec.height),
-                      .channels = static_cast<std::uint32_t>(channels),
-                      .samples = {}};
-    if (!wire::imageFits(image.width, image.height, image.channels))
-        return tl::unexpected(wire::Reason::TooLarge);
-    image.samples.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
-                         static_cast<std::size_t>(channels));
-    if (!readSamples(*input, channels, image.samples))
-        return tl::unexpected(input->geterror().find("ompression") != std::string::npos
-                                  ? wire::Reason::UnknownCompression
-                                  : wire::Reason::Damaged);
-    makeUpright(image, spec.get_int_attribute("Orientation", 1));
-    return image;
+    if (isColour)
+        if (std::optional<wire::Image> image = readInks(path, input->spec()))
+            return *std::move(image);
+    return readOpened(*input, tags, isColour);
 }
 
-tl::expected<wire::Bytes, wire::Reason> encodeImage(const wire::EncodeRequest& request)
+tl::expected<wire::Bytes, wire::Reason> encodeImage(const wire::EncodeRequest& request, bool isColour)
 {
     setGlobals();
     const auto output = OIIO::ImageOutput::create(request.ending);
@@ -156,8 +267,12 @@ tl::expected<wire::Bytes, wire::Reason> encodeImage(const wire::EncodeRequest& r
     }
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput proxy(bytes);
-    if (!output->set_ioproxy(&proxy) || !output->open("map." + request.ending, spec) ||
-        !output->write_image(OIIO::TypeDesc::UINT16, image.samples.data()) || !output->close() || bytes.empty())
+    if (!output->set_ioproxy(&proxy) || !output->open("map." + request.ending, spec))
+        return tl::unexpected(wire::Reason::CannotWriteEnding);
+    const bool isWritten = type == OIIO::TypeDesc::FLOAT
+                               ? writeFloats(*output, image, isColour)
+                               : output->write_image(OIIO::TypeDesc::UINT16, image.samples.data());
+    if (!isWritten || !output->close() || bytes.empty())
         return tl::unexpected(wire::Reason::CannotWriteEnding);
     return wire::encodeFile(std::as_bytes(std::span(bytes)));
 }

@@ -1,4 +1,4 @@
-// Foreign images, decoded and encoded by OpenImageIO. The only file that includes it is image_io.cpp.
+// Foreign images, decoded and encoded by OpenImageIO, which only image_io and image_channels include.
 #pragma once
 
 #include "model/files/wire_format.h"
@@ -7,10 +7,12 @@
 
 namespace hairpaint::importer {
 
-/// `path`: UTF-8. The first image of the file, its first 4 channels, as 16-bit unassociated samples.
-[[nodiscard]] tl::expected<wire::Image, wire::Reason> readImage(const std::string& path);
+/// `path`: UTF-8. The first image of the file as 16-bit unassociated samples: grey or RGB, with alpha where it has
+/// some. `isColour`: in sRGB, whatever light or profile the file has them in; else its numbers are taken as they are.
+[[nodiscard]] tl::expected<wire::Image, wire::Reason> readImage(const std::string& path, bool isColour);
 
-/// The file's bytes, for an ending such as "png".
-[[nodiscard]] tl::expected<wire::Bytes, wire::Reason> encodeImage(const wire::EncodeRequest& request);
+/// The file's bytes, for an ending such as "png". `isColour`: it holds sRGB, which becomes linear light in a format of
+/// floats.
+[[nodiscard]] tl::expected<wire::Bytes, wire::Reason> encodeImage(const wire::EncodeRequest& request, bool isColour);
 
 } // namespace hairpaint::importer

@@ -68,13 +68,14 @@ wire::Sandbox sandboxFor(const std::string& file)
 
 std::optional<wire::Bytes> answerTo(Request request)
 {
-    if (request.kind == wire::Kind::EncodeImage) {
+    const bool isColour = request.kind == wire::Kind::ReadColours || request.kind == wire::Kind::EncodeColours;
+    if (request.kind == wire::Kind::EncodeImage || request.kind == wire::Kind::EncodeColours) {
         const std::optional<wire::EncodeRequest> encode = wire::decodeRequest(request.body);
         if (!encode)
             return std::nullopt;
         request.body = {};
         (void)importer::enterSandbox({});
-        const auto file = importer::encodeImage(*encode);
+        const auto file = importer::encodeImage(*encode, isColour);
         return file ? *file : wire::encodeRefusal(file.error());
     }
     const std::optional<std::string> path = wire::decodePath(request.body);
@@ -83,8 +84,8 @@ std::optional<wire::Bytes> answerTo(Request request)
     if (request.kind == wire::Kind::TellSandbox)
         return wire::encodeSandbox(sandboxFor(*path));
     (void)importer::enterSandbox(*path);
-    if (request.kind == wire::Kind::ReadImage) {
-        const auto image = importer::readImage(*path);
+    if (request.kind == wire::Kind::ReadImage || request.kind == wire::Kind::ReadColours) {
+        const auto image = importer::readImage(*path, isColour);
         return image ? wire::encodeImage(*image) : wire::encodeRefusal(image.error());
     }
     const auto mesh = importer::readMesh(*path);

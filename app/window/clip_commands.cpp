@@ -1,9 +1,12 @@
 // Cut, copy, paste, fill and clear: see the header.
 #include "app/window/clip_commands.h"
 
+#include "app/window/clip_data.h"
+
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QMimeData>
+#include <QUrl>
 #include <QUuid>
 
 namespace hairpaint::app {
@@ -14,7 +17,7 @@ constexpr const char* kMarkFormat = "application/x-hairpaint-copy";
 
 } // namespace
 
-ClipCommands::ClipCommands(Session& session) : m_session(session) {}
+ClipCommands::ClipCommands(Session& session, MapExchange& maps) : m_session(session), m_maps(maps) {}
 
 void ClipCommands::copy()
 {
@@ -35,8 +38,8 @@ void ClipCommands::cut()
 
 void ClipCommands::paste()
 {
-    if (std::optional<model::Clip> foreign = foreignClip())
-        m_clip = std::move(foreign);
+    if (!takeClipboard())
+        return;
     if (!m_clip) {
         Q_EMIT told(tr("Nothing was copied yet: select a part of a map and copy it first"));
         return;
@@ -64,24 +67,41 @@ void ClipCommands::offerImage()
     m_mark = QUuid::createUuid().toByteArray();
     auto* data = new QMimeData; // The clipboard's from now on.
     data->setData(QLatin1String(kMarkFormat), m_mark);
+    if (const QByteArray bytes = bytesFromClip(*m_clip); !bytes.isEmpty())
+        data->setData(QLatin1String(kClipFormat), bytes);
     if (const QImage image = model::imageFromClip(*m_clip); !image.isNull())
         data->setImageData(image);
     QGuiApplication::clipboard()->setMimeData(data);
 }
 
-std::optional<model::Clip> ClipCommands::foreignClip() const
+bool ClipCommands::takeClipboard()
 {
     const QMimeData* data = QGuiApplication::clipboard()->mimeData();
     const bool isOurs = data != nullptr && !m_mark.isEmpty() && data->data(QLatin1String(kMarkFormat)) == m_mark;
-    if (data == nullptr || isOurs || !data->hasImage())
-        return std::nullopt;
-    const model::LayerAddress target = m_session.editor().target().address();
-    const model::HairGroup* group = m_session.document().committed().group(target.group);
-    const auto image = qvariant_cast<QImage>(data->imageData());
-    if (group == nullptr || image.isNull())
-        return std::nullopt;
-    const QRectF area = m_session.editor().tools().selection().rectangle().value_or(QRectF(0.0, 0.0, 1.0, 1.0));
-    return model::clipFromImage(image, target.map, group->map(target.map).size, area);
+    if (data == nullptr || isOurs || data->formats().isEmpty())
+        return true;
+    if (std::optional<model::Clip> clip = clipFromBytes(data->data(QLatin1String(kClipFormat)))) {
+        m_clip = std::move(clip);
+        return true;
+    }
+    m_clip.reset(); // Older than what is there now.
+    QStringList paths;
+    for (const QUrl& url : data->urls())
+        if (url.isLocalFile())
+            paths += url.toLocalFile();
+    if (!paths.isEmpty()) {
+        Q_EMIT filesWanted(paths);
+        return false;
+    }
+    const QImage image = data->hasImage() ? qvariant_cast<QImage>(data->imageData()) : QImage();
+    if (!image.isNull()) {
+        m_clip = m_maps.clipFrom(image);
+        return m_clip.has_value();
+    }
+    Q_EMIT told(data->hasText() ? tr("The clipboard holds text, which no map can take; copy a picture or a file")
+                                : tr("The clipboard holds nothing that a map can take (%1); copy a picture or a file")
+                                      .arg(data->formats().constFirst()));
+    return false;
 }
 
 void ClipCommands::clear()

@@ -1,6 +1,7 @@
 // Cut, copy, paste, fill and clear of the selected texels, as the menus and keys ask for them.
 #pragma once
 
+#include "app/exchange/map_exchange.h"
 #include "app/session/session.h"
 #include "model/tools/clipboard.h"
 
@@ -10,14 +11,14 @@
 
 namespace hairpaint::app {
 
-/// Holds what was copied last, which other programs get as an image; an image that one of them copied since replaces
-/// it. Works on the active layer of the session, which outlives it; each change is one undo
-/// step. GUI thread.
+/// Holds what was copied last, which other windows get whole (clip_data.h) and other programs as an image; what one of
+/// them copied since takes its place, also where it can not be pasted. Works on the active layer of the session, which
+/// outlives it; each change is one undo step. GUI thread.
 class ClipCommands : public QObject
 {
     Q_OBJECT
 public:
-    explicit ClipCommands(Session& session);
+    ClipCommands(Session& session, MapExchange& maps);
 
     void cut();
     void copy();
@@ -26,17 +27,19 @@ public:
     void clear();
 
 Q_SIGNALS:
-    void told(const QString& message); ///< For the status bar.
+    void told(const QString& message);          ///< For the status bar.
+    void filesWanted(const QStringList& paths); ///< Files in the clipboard, to be loaded as if they were dropped.
 
 private:
     void offerImage(); ///< Of what was copied, to other programs.
-    /// What another program has copied since; none where the newest copy is ours, or no image.
-    [[nodiscard]] std::optional<model::Clip> foreignClip() const;
+    /// Makes m_clip what the system's clipboard holds now; false where that has been dealt with, or can't be pasted.
+    [[nodiscard]] bool takeClipboard();
     /// Whether the active layer may be changed; the reason is shown where it may not.
     [[nodiscard]] bool mayChange();
     void clearSelected(const QString& text); ///< %1 in the step's text becomes the map's name.
 
     Session& m_session;
+    MapExchange& m_maps;
     std::optional<model::Clip> m_clip;
     QByteArray m_mark; ///< Tells our own copy in the system's clipboard from others.
 };

@@ -67,7 +67,7 @@ MainWindow::MainWindow(model::Project project, const QString& path, std::unique_
     : m_ownSettings(std::move(settings)), m_settings(*m_ownSettings), m_session(std::move(project)), m_jobs(*this),
       m_freedMemory(m_session.document(), m_jobs), m_files(m_session, m_settings, m_jobs, *this),
       m_journal(m_session.document(), JournalFolder::root()), m_exchange(m_session, m_settings, m_jobs, *this),
-      m_actions(m_settings, *this), m_preferences(m_settings), m_clipCommands(m_session),
+      m_actions(m_settings, *this), m_preferences(m_settings), m_clipCommands(m_session, m_exchange.maps()),
       m_dialogs(*this, m_session.editor(), m_actions, m_preferences), m_focusReturn(this),
       m_dialogPositions(*this, m_settings, [this] {
           const view::HeadView& head = m_workspace->headView();
@@ -214,6 +214,7 @@ void MainWindow::connectAreas()
     connect(&head, &view::HeadView::statusText, &status, showMessage);
     connect(&paint, &view::PaintView::statusText, &status, showMessage);
     connect(&m_clipCommands, &ClipCommands::told, &status, showMessage);
+    connect(&m_clipCommands, &ClipCommands::filesWanted, this, &MainWindow::openFiles);
     connect(&m_exchange.work(), &FileWork::done, &status, showMessage);
     connect(&m_jobs, &Jobs::cancelled, &status,
             [&status](const QString& sentence) { status.showMessage(sentence, false, kReasonMs); });
@@ -321,6 +322,18 @@ void MainWindow::rememberGeometry()
     rememberToolOptions(m_settings, m_session.editor());
 }
 
+void MainWindow::openFiles(const QStringList& paths)
+{
+    QStringList images;
+    for (const QString& path : paths)
+        if (fileKind(path) == FileKind::Image)
+            images += path;
+    if (images.size() > 1 && images.size() == paths.size())
+        m_exchange.maps().importImages(images);
+    else if (!paths.isEmpty())
+        openFile(paths.front());
+}
+
 void MainWindow::openFile(const QString& path)
 {
     switch (fileKind(path)) {
@@ -337,7 +350,7 @@ void MainWindow::openFile(const QString& path)
         m_exchange.hair().importHairFrom(path);
         break;
     case FileKind::Image:
-        m_exchange.maps().importImageFrom(path, false);
+        m_exchange.maps().importImageFrom(path, std::nullopt);
         break;
     }
 }
@@ -370,12 +383,15 @@ void MainWindow::dragLeaveEvent(QDragLeaveEvent* /*event*/)
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
-    const QString path = event->mimeData()->urls().constFirst().toLocalFile();
+    QStringList paths;
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile())
+            paths += url.toLocalFile();
     event->acceptProposedAction();
     m_workspace->dropHint().hide();
     // The source program waits for the drop to end; a dialog would keep it waiting.
     QMetaObject::invokeMethod(
-        this, [this, path] { openFile(path); }, Qt::QueuedConnection);
+        this, [this, paths] { openFiles(paths); }, Qt::QueuedConnection);
 }
 
 void MainWindow::lookAt(std::optional<model::MapKind> map)

@@ -61,6 +61,8 @@ public:
 
     /// Opens a project, applies a style, imports a mesh or an image: whatever the file is.
     void openFile(const QString& path);
+    /// Several images go to the maps that their names tell; of anything else the first is opened.
+    void openFiles(const QStringList& paths);
 
 protected:
     void closeEvent(QCloseEvent* event) override;

@@ -1,6 +1,7 @@
 // Images to maps and back. Values are read from and written as encoded channels; nothing is linearised.
 #include "model/files/image_map.h"
 
+#include "model/maps/image_reading.h"
 #include "model/maps/image_resample.h"
 #include "model/maps/map_colours.h"
 #include "model/maps/texel_ops.h"
@@ -91,14 +92,21 @@ Result<sim::TiledRaster> layerFromImage(const ForeignImage& image, const MapSpec
     return resampleBilinear(image.width, image.height, readRow, target, spec.layerChannels(), spec.defaultValue);
 }
 
-Result<ImageLayer> layerFromFile(const QString& path, const MapSpec& spec, bool grey, int size,
+Result<ForeignImage> imageForMap(const QString& path, const MapSpec& spec, const Progress& progress)
+{
+    const ImporterClient client;
+    return spec.texel == TexelKind::Colour ? client.readColours(path, progress) : client.readImage(path, progress);
+}
+
+Result<ImageLayer> layerFromFile(const QString& path, const MapSpec& spec, std::optional<bool> grey, int size,
                                  const Progress& progress)
 {
     return withinMemory(path, cannotOpen, [&]() -> Result<ImageLayer> {
-        const Result<ForeignImage> image = ImporterClient().readImage(path, progress);
+        const Result<ForeignImage> image = imageForMap(path, spec, progress);
         if (!image)
             return tl::unexpected(image.error());
-        Result<sim::TiledRaster> raster = layerFromImage(*image, spec, grey, size);
+        const bool isGrey = grey.value_or(readingOf(image->pixels, image->channels, spec) == ImageReading::Value);
+        Result<sim::TiledRaster> raster = layerFromImage(*image, spec, isGrey, size);
         if (!raster)
             return tl::unexpected(raster.error());
         return ImageLayer{.raster = std::move(*raster), .imageSize = {image->width, image->height}};
@@ -110,7 +118,11 @@ ForeignImage imageFromMap(const sim::TiledRaster& resolved, const MapSpec& spec,
     const int size = resolved.size();
     const TexelOps& ops = texelOps(spec);
     const bool isGrey = grey && ops.toGreys != nullptr;
-    ForeignImage image{.width = size, .height = size, .channels = isGrey ? 1 : 3, .pixels = {}};
+    ForeignImage image{.width = size,
+                       .height = size,
+                       .channels = isGrey ? 1 : 3,
+                       .pixels = {},
+                       .areColours = spec.texel == TexelKind::Colour};
     image.pixels.resize(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) *
                         static_cast<std::size_t>(image.channels));
     for (int y = 0; y < size; ++y)
@@ -129,7 +141,11 @@ ForeignImage imageFromLayer(const sim::TiledRaster& layer, const MapSpec& spec)
 {
     constexpr int kChannels = 4;
     const int size = layer.size();
-    ForeignImage image{.width = size, .height = size, .channels = kChannels, .pixels = {}};
+    ForeignImage image{.width = size,
+                       .height = size,
+                       .channels = kChannels,
+                       .pixels = {},
+                       .areColours = spec.texel == TexelKind::Colour};
     image.pixels.reserve(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * kChannels);
     RowColours colours{};
     for (int y = 0; y < size; ++y)

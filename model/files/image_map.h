@@ -7,6 +7,8 @@
 
 #include <QSize>
 
+#include <optional>
+
 namespace hairpaint::model {
 
 /// Reads an image as a layer of the map: by the map's scale, or `grey` as the value itself. Resampled bilinearly
@@ -21,9 +23,12 @@ struct ImageLayer
     QSize imageSize; ///< Of the file, in pixels.
 };
 
-/// The same from a file of any format that the helper program reads.
-[[nodiscard]] Result<ImageLayer> layerFromFile(const QString& path, const MapSpec& spec, bool grey, int size,
-                                               const Progress& progress = {});
+/// An image of any format that the helper program reads, for a map: colours as sRGB, all others as they are stored.
+[[nodiscard]] Result<ForeignImage> imageForMap(const QString& path, const MapSpec& spec, const Progress& progress = {});
+/// The same as a layer. `grey`: none leaves it to what its pixels tell (image_reading.h), and to the map's scale where
+/// they tell both.
+[[nodiscard]] Result<ImageLayer> layerFromFile(const QString& path, const MapSpec& spec, std::optional<bool> grey,
+                                               int size, const Progress& progress = {});
 
 /// A resolved map as an image in its scale, white to colour as in the paper; `grey`: of one channel, the value, where
 /// a grey can tell it.

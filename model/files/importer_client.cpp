@@ -76,6 +76,9 @@ QString reasonText(const wire::Refusal& refusal)
         return say(QT_TRANSLATE_NOOP("Files",
                                      "the way it is compressed is not supported; save it as PNG or TIFF in the "
                                      "program that made it, and try again"));
+    case wire::Reason::LayersOnly:
+        return say(QT_TRANSLATE_NOOP("Files", "it holds layers without the picture that they make; save it with "
+                                              "“Maximize compatibility” on, or as PNG or TIFF, and try again"));
     case wire::Reason::OutOfMemory:
         return say(QT_TRANSLATE_NOOP("Files", "there was not enough memory for it; try a smaller one"));
     case wire::Reason::MissingFile:
@@ -151,7 +154,12 @@ ImporterClient::ImporterClient(QString helperPath, int timeoutMs)
 
 Result<ForeignImage> ImporterClient::readImage(const QString& path, const Progress& progress) const
 {
-    return withinMemory(path, cannotOpen, [&] { return decodeImage(path, progress); });
+    return withinMemory(path, cannotOpen, [&] { return decodeImage(path, false, progress); });
+}
+
+Result<ForeignImage> ImporterClient::readColours(const QString& path, const Progress& progress) const
+{
+    return withinMemory(path, cannotOpen, [&] { return decodeImage(path, true, progress); });
 }
 
 Result<RiggedMesh> ImporterClient::readMesh(const QString& path, const Progress& progress) const
@@ -179,12 +187,13 @@ std::optional<HelperSandbox> ImporterClient::sandbox() const
                          .mostMegabytes = static_cast<int>(told->mostMegabytes)};
 }
 
-Result<ForeignImage> ImporterClient::decodeImage(const QString& path, const Progress& progress) const
+Result<ForeignImage> ImporterClient::decodeImage(const QString& path, bool areColours, const Progress& progress) const
 {
     if (Result<void> readable = checkReadable(path, kMostForeignBytes); !readable)
         return tl::unexpected(readable.error());
-    Result<wire::Bytes> body = ask(m_helperPath, m_timeoutMs, readRequest(wire::Kind::ReadImage, path),
-                                   wire::Kind::Image, path, progress, cannotOpen);
+    Result<wire::Bytes> body =
+        ask(m_helperPath, m_timeoutMs, readRequest(areColours ? wire::Kind::ReadColours : wire::Kind::ReadImage, path),
+            wire::Kind::Image, path, progress, cannotOpen);
     if (!body)
         return tl::unexpected(body.error());
     std::optional<wire::Image> image = wire::decodeImage(*body);
@@ -193,7 +202,8 @@ Result<ForeignImage> ImporterClient::decodeImage(const QString& path, const Prog
     return ForeignImage{.width = static_cast<int>(image->width),
                         .height = static_cast<int>(image->height),
                         .channels = static_cast<int>(image->channels),
-                        .pixels = std::move(image->samples)};
+                        .pixels = std::move(image->samples),
+                        .areColours = areColours};
 }
 
 Result<RiggedMesh> ImporterClient::decodeMesh(const QString& path, const Progress& progress) const
@@ -227,7 +237,9 @@ Result<void> ImporterClient::encodeImage(const ForeignImage& image, const QStrin
     if (const Checked<void> writable = checkWritable(path); !writable)
         return cannotWrite(path, writable.error());
     Result<wire::Bytes> body =
-        ask(m_helperPath, m_timeoutMs, wire::encodeRequest(request), wire::Kind::Encoded, path, progress, cannotWrite);
+        ask(m_helperPath, m_timeoutMs,
+            wire::encodeRequest(request, image.areColours ? wire::Kind::EncodeColours : wire::Kind::EncodeImage),
+            wire::Kind::Encoded, path, progress, cannotWrite);
     if (!body)
         return tl::unexpected(body.error());
     const auto size = static_cast<qsizetype>(body->size());

@@ -15,6 +15,7 @@ struct ForeignImage
 {
     int width = 0, height = 0, channels = 0;
     std::vector<std::uint16_t> pixels;
+    bool areColours = false; ///< sRGB; else numbers, which are kept as they are.
 };
 
 /// What holds the helper while it decodes foreign files.
@@ -35,8 +36,11 @@ public:
     /// 16 s, or `HAIRPAINT_IMPORT_MS`, for tests.
     [[nodiscard]] static int usualTimeoutMs();
 
+    /// Its numbers as they are.
     [[nodiscard]] Result<ForeignImage> readImage(const QString& path, const Progress& progress = {}) const;
-    /// PNG, TIFF, EXR, ... by the file's ending; 8 or 16 bits a channel.
+    /// As sRGB, whatever light (EXR, HDR) or profile the file has them in.
+    [[nodiscard]] Result<ForeignImage> readColours(const QString& path, const Progress& progress = {}) const;
+    /// PNG, TIFF, EXR, ... by the file's ending; 8 or 16 bits a channel. Colours become linear light in EXR.
     [[nodiscard]] Result<void> writeImage(const ForeignImage& image, const QString& path, int bits = 16,
                                           const Progress& progress = {}) const;
     [[nodiscard]] Result<RiggedMesh> readMesh(const QString& path, const Progress& progress = {}) const;
@@ -44,7 +48,8 @@ public:
     [[nodiscard]] std::optional<HelperSandbox> sandbox() const;
 
 private:
-    [[nodiscard]] Result<ForeignImage> decodeImage(const QString& path, const Progress& progress) const;
+    [[nodiscard]] Result<ForeignImage> decodeImage(const QString& path, bool areColours,
+                                                   const Progress& progress) const;
     [[nodiscard]] Result<RiggedMesh> decodeMesh(const QString& path, const Progress& progress) const;
     [[nodiscard]] Result<void> encodeImage(const ForeignImage& image, const QString& path, int bits,
                                            const Progress& progress) const;

@@ -87,8 +87,10 @@ std::uint64_t mostBodyBytes(Kind kind)
     case Kind::ReadImage:
     case Kind::ReadMesh:
     case Kind::TellSandbox:
+    case Kind::ReadColours:
         return kLongestPath;
     case Kind::EncodeImage:
+    case Kind::EncodeColours:
     case Kind::Image:
         return 64 + kMostPixels * 8;
     case Kind::Mesh:
@@ -133,6 +135,11 @@ bool readJoints(Reader& reader, model::HeadSkeleton& skeleton)
         skeleton.joints.push_back(std::move(joint));
     }
     return true;
+}
+
+bool isLaterReason(std::uint32_t reason)
+{
+    return reason == static_cast<std::uint32_t>(Reason::LayersOnly);
 }
 
 bool readTold(Reader& reader, model::ToldSpace& told)
@@ -181,9 +188,9 @@ Bytes encodeImage(const Image& image)
     return writer.take();
 }
 
-Bytes encodeRequest(const EncodeRequest& request)
+Bytes encodeRequest(const EncodeRequest& request, Kind kind)
 {
-    Writer writer(Kind::EncodeImage, 8 + request.ending.size() + 12 + request.image.samples.size() * 2);
+    Writer writer(kind, 8 + request.ending.size() + 12 + request.image.samples.size() * 2);
     writer.value(request.bits);
     writer.value(static_cast<std::uint32_t>(request.ending.size()));
     writer.array(std::span(request.ending));
@@ -338,10 +345,11 @@ std::optional<Refusal> decodeRefusal(std::span<const std::byte> body)
 {
     Reader reader(body);
     std::uint32_t reason = 0;
-    if (!reader.value(reason) || reason < 1 || reason > static_cast<std::uint32_t>(Reason::Malformed))
+    if (!reader.value(reason) || reason < 1 ||
+        (reason > static_cast<std::uint32_t>(Reason::Malformed) && !isLaterReason(reason)))
         return std::nullopt;
     Refusal refusal(static_cast<Reason>(reason));
-    if (refusal.reason >= Reason::MissingFile) {
+    if (refusal.reason >= Reason::MissingFile && refusal.reason <= Reason::Malformed) {
         std::optional<std::string> name = decodePath(reader.rest());
         if (!name || name->size() > kLongestName)
             return std::nullopt;

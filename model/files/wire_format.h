@@ -23,6 +23,8 @@ enum class Kind : std::uint32_t
     ReadMesh = 2,
     EncodeImage = 3,
     TellSandbox = 4,
+    ReadColours = 20,   ///< As ReadImage, in sRGB;
+    EncodeColours = 21, ///< as EncodeImage, of sRGB.
     Image = 101,
     Mesh = 102,
     Encoded = 103,
@@ -45,7 +47,8 @@ enum class Reason : std::uint32_t
     OutsideFolder = 11,        ///< or lies outside of the model's folder.
     UnknownExtension = 12,     ///< An extension that the model can't be read without is not known;
     UndecodedCompression = 13, ///< or the compression that it names can't be decoded.
-    Malformed = 14             ///< It breaks its format's rules, and how is told in English.
+    Malformed = 14,            ///< It breaks its format's rules, and how is told in English.
+    LayersOnly = 30            ///< Without the picture that its layers make.
 };
 
 /// Why there is no other answer.
@@ -102,7 +105,7 @@ struct EncodeRequest
 /// Whole messages, header included.
 [[nodiscard]] Bytes encodeText(Kind kind, const std::string& text);
 [[nodiscard]] Bytes encodeImage(const Image& image);
-[[nodiscard]] Bytes encodeRequest(const EncodeRequest& request);
+[[nodiscard]] Bytes encodeRequest(const EncodeRequest& request, Kind kind = Kind::EncodeImage);
 [[nodiscard]] Bytes encodeMesh(const model::RiggedMesh& mesh);
 [[nodiscard]] Bytes encodeFile(std::span<const std::byte> file);
 [[nodiscard]] Bytes encodeSandbox(const Sandbox& sandbox);

@@ -37,7 +37,7 @@ glm::mat3 quarterTurns(int count)
 class RootFit
 {
 public:
-    RootFit(const ForeignCurves& curves, const sim::Skin& skin) : m_skin(skin)
+    RootFit(const ForeignCurves& curves, const sim::Skin& skin, bool ofTips = false) : m_skin(skin)
     {
         std::size_t count = 0;
         for (const ForeignStrands& strands : curves.groups)
@@ -47,7 +47,7 @@ public:
         for (const ForeignStrands& strands : curves.groups)
             for (std::size_t i = 0; i < strands.count(); ++i)
                 if (number++ % step == 0)
-                    m_roots.push_back(strands.strand(i).front());
+                    m_roots.push_back(ofTips ? strands.strand(i).back() : strands.strand(i).front());
     }
 
     [[nodiscard]] bool empty() const { return m_roots.empty(); }
@@ -155,12 +155,47 @@ std::optional<CurveTransform> fitCurves(const ForeignCurves& curves, const Curve
     for (const UpAxis up : axes)
         for (const float metres : units)
             take({.rotation = uprightFrom(up), .scaleM = metres});
-    if (best)
+    if (best || choice.metresPerUnit) // What the user tells counts.
         return best;
     for (const UpAxis up : axes)
         for (int turns = 0; turns < 4; ++turns)
             take(fit.fitted(quarterTurns(turns) * uprightFrom(up)));
     return best;
+}
+
+void turnTipFirst(ForeignCurves& curves, const CurveSpaceChoice& choice, const sim::Skin& skin)
+{
+    const RootFit roots(curves, skin);
+    const RootFit tips(curves, skin, true);
+    if (roots.empty())
+        return;
+    const std::optional<float> unit = choice.metresPerUnit ? choice.metresPerUnit : curves.metresPerUnit;
+    const std::optional<UpAxis> axis = choice.upAxis ? choice.upAxis : curves.upAxis;
+    const std::vector<UpAxis> axes = axis ? std::vector{*axis} : std::vector{UpAxis::Y, UpAxis::Z};
+    std::vector<float> units(kUsualUnits.begin(), kUsualUnits.end());
+    if (unit)
+        units = {*unit};
+    float rootsM = std::numeric_limits<float>::max();
+    float tipsM = std::numeric_limits<float>::max();
+    for (const UpAxis up : axes)
+        for (const float metres : units) {
+            const CurveTransform transform{.rotation = uprightFrom(up), .scaleM = metres};
+            rootsM = std::min(rootsM, roots.distanceM(transform));
+            tipsM = std::min(tipsM, tips.distanceM(transform));
+        }
+    constexpr float kClearly = 0.25F;
+    if (tipsM >= kOnSkinM || tipsM >= kClearly * rootsM)
+        return;
+    for (ForeignStrands& strands : curves.groups) {
+        std::size_t begin = 0;
+        for (std::size_t i = 0; i < strands.count(); ++i) {
+            std::reverse(strands.points.begin() + static_cast<std::ptrdiff_t>(begin),
+                         strands.points.begin() + static_cast<std::ptrdiff_t>(strands.ends[i]));
+            begin = strands.ends[i];
+            std::swap(strands.looks[i].rootWidth, strands.looks[i].tipWidth);
+            std::swap(strands.looks[i].rootColour, strands.looks[i].tipColour);
+        }
+    }
 }
 
 } // namespace hairpaint::model

@@ -67,20 +67,32 @@ tl::unexpected<Error> fitsNowhere(const QString& path)
                              .cure = Clause::Cure::OtherFile});
 }
 
+tl::unexpected<Error> fitsNotAsTold(const QString& path)
+{
+    return cannotOpen(path, {.text = say(QT_TRANSLATE_NOOP(
+                                 "Files", "its hair does not lie on this head in the unit and axis that it is told to "
+                                          "have; tell others, or none")),
+                             .cure = Clause::Cure::OtherFile});
+}
+
 } // namespace
 
 Result<std::vector<HairGroup>> groupsFromCurves(const QString& path, const CurveSpaceChoice& choice,
-                                                const std::shared_ptr<const Head>& head, const Progress& progress)
+                                                const std::shared_ptr<const Head>& head, const Progress& progress,
+                                                std::size_t* leftOut)
 {
     using Groups = std::vector<HairGroup>;
     return withinMemory(path, cannotOpen, [&]() -> Result<Groups> {
         Result<ForeignCurves> curves = readCurves(path, partOfImport(progress, 0.0, kCurvesRead));
         if (!curves)
             return tl::unexpected(curves.error());
+        if (leftOut != nullptr)
+            *leftOut = curves->leftOut;
         mergeMany(*curves);
+        turnTipFirst(*curves, choice, *head->skin);
         const std::optional<CurveTransform> transform = fitCurves(*curves, choice, *head->skin);
         if (!transform)
-            return fitsNowhere(path);
+            return choice.metresPerUnit ? fitsNotAsTold(path) : fitsNowhere(path);
         const std::optional<SkinTexels> texels =
             SkinTexels::of(*head->skin, mapSizeFor(*curves), partOfImport(progress, kCurvesRead, kTexelsFound));
         if (!texels)

@@ -34,6 +34,36 @@ bool isNearBy(const glm::vec3& point)
     return std::abs(point.x) < kFurthest && std::abs(point.y) < kFurthest && std::abs(point.z) < kFurthest;
 }
 
+/// Takes out the strands that are none: of one point, or with a point that is no number. Returns how many.
+std::size_t dropBroken(ForeignStrands& strands)
+{
+    ForeignStrands kept{.name = strands.name,
+                        .ends = {},
+                        .points = {},
+                        .looks = {},
+                        .hasColours = strands.hasColours,
+                        .isGuides = strands.isGuides};
+    const auto isWhole = [&strands](std::size_t i) {
+        const std::span<const glm::vec3> points = strands.strand(i);
+        return points.size() >= 2 && std::ranges::all_of(points, isNearBy);
+    };
+    std::size_t broken = 0;
+    for (std::size_t i = 0; i < strands.count(); ++i)
+        broken += isWhole(i) ? 0 : 1;
+    if (broken == 0)
+        return 0;
+    for (std::size_t i = 0; i < strands.count(); ++i) {
+        if (!isWhole(i))
+            continue;
+        const std::span<const glm::vec3> points = strands.strand(i);
+        kept.points.insert(kept.points.end(), points.begin(), points.end());
+        kept.ends.push_back(static_cast<std::uint32_t>(kept.points.size()));
+        kept.looks.push_back(strands.looks[i]);
+    }
+    strands = std::move(kept);
+    return broken;
+}
+
 constexpr qint64 kMostUsdBytes = qint64{1} << 30; ///< 100,000 strands of 16 points are a tenth.
 
 MaybeCurves readUsdAt(const QString& path, const Progress& progress)
@@ -69,6 +99,7 @@ struct CurveFormat
 constexpr std::array kCurveFormats{
     CurveFormat{.ending = "hair", .mostBytes = qint64{1} << 32, .read = readHairAt},
     CurveFormat{.ending = "usda", .mostBytes = kMostUsdBytes, .read = readUsdAt},
+    CurveFormat{.ending = "usd", .mostBytes = kMostUsdBytes, .read = readUsdAt},
     CurveFormat{.ending = "usdz", .mostBytes = kMostUsdBytes, .read = readUsdArchiveAt},
 };
 
@@ -104,16 +135,17 @@ Result<ForeignCurves> readCurves(const QString& path, const Progress& progress)
             return cannotOpen(path, curves.error());
         if (!*curves)
             return cancelled(path);
+        for (ForeignStrands& strands : (*curves)->groups)
+            (*curves)->leftOut += dropBroken(strands);
         std::erase_if((*curves)->groups, [](const ForeignStrands& strands) { return strands.count() == 0; });
+        if ((*curves)->groups.empty() && (*curves)->leftOut > 0)
+            return cannotOpen(path,
+                              {.text = say(QT_TRANSLATE_NOOP("Files", "its hair is cut short or broken; export it "
+                                                                      "again")),
+                               .cure = Clause::Cure::OtherFile});
         if ((*curves)->groups.empty())
             return cannotOpen(path, {.text = say(QT_TRANSLATE_NOOP("Files", "it holds no hair; choose another file")),
                                      .cure = Clause::Cure::OtherFile});
-        for (const ForeignStrands& strands : (*curves)->groups)
-            if (!std::ranges::all_of(strands.points, isNearBy))
-                return cannotOpen(path,
-                                  {.text = say(QT_TRANSLATE_NOOP("Files", "its hair lies beyond all measure; export "
-                                                                          "it again")),
-                                   .cure = Clause::Cure::OtherFile});
         return std::move(**curves);
     });
 }

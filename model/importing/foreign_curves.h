@@ -46,6 +46,7 @@ struct ForeignCurves
     std::vector<ForeignStrands> groups;
     std::optional<float> metresPerUnit; ///< None where the file does not tell.
     std::optional<UpAxis> upAxis;
+    std::size_t leftOut = 0; ///< Strands of one point, or with a point that is none.
 };
 
 /// A file may hold so many; more than any groom, and some 800 MB.

@@ -1,13 +1,16 @@
-// Reading USD text (openusd.org, "Usda File Format", "UsdGeomBasisCurves", "UsdGeomXformable").
+// Reading USD text (openusd.org, "Usda File Format", "UsdGeomXformable").
 #include "model/importing/usd_reader.h"
 
+#include "model/importing/usd_curves.h"
 #include "model/importing/usd_scanner.h"
 #include "model/importing/usd_transform.h"
-#include "model/values/srgb.h"
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace hairpaint::model {
 
@@ -20,111 +23,6 @@ tl::unexpected<Clause> brokenUsd()
 {
     return refuse(say(QT_TRANSLATE_NOOP("Files", "its USD text is broken or cut short; export it again")),
                   Clause::Cure::OtherFile);
-}
-
-/// What one BasisCurves says.
-struct UsdCurves
-{
-    std::vector<float> counts;
-    std::vector<float> points;
-    std::vector<float> widths;
-    std::vector<float> colours;
-    std::vector<float> guides;
-    std::string_view type = "cubic"; ///< Unless told.
-    std::string_view basis = "bezier";
-    QString groupName;
-    bool isHidden = false;
-};
-
-/// One value a point, a curve, or for all of them.
-template<typename Value>
-class PerPoint
-{
-public:
-    PerPoint(const std::vector<float>& values, std::size_t curves, std::size_t points)
-        : m_values(values), m_count(values.size() / kEach), m_curves(curves), m_points(points)
-    {}
-    [[nodiscard]] bool isTold() const
-    {
-        return m_values.size() % kEach == 0 && (m_count == 1 || m_count == m_curves || m_count == m_points);
-    }
-    [[nodiscard]] Value at(std::size_t curve, std::size_t point) const
-    {
-        const std::size_t index = m_count == m_points ? point : m_count == m_curves ? curve : 0;
-        Value value;
-        if constexpr (kEach == 1)
-            value = m_values[index];
-        else
-            value = {m_values[3 * index], m_values[3 * index + 1], m_values[3 * index + 2]};
-        return value;
-    }
-
-private:
-    static constexpr std::size_t kEach = std::is_same_v<Value, float> ? 1 : 3;
-    const std::vector<float>& m_values;
-    std::size_t m_count;
-    std::size_t m_curves;
-    std::size_t m_points;
-};
-
-glm::vec3 asEncoded(const glm::vec3& linear)
-{
-    const auto channel = [](float value) {
-        return std::isfinite(value) ? srgbFromLinear(std::clamp(value, 0.0F, 1.0F)) : 0.0F;
-    };
-    return {channel(linear.r), channel(linear.g), channel(linear.b)};
-}
-
-/// Points that a curve runs through, of those that tell it.
-void addCurve(const UsdCurves& curves, std::span<const glm::vec3> told, std::vector<glm::vec3>& points)
-{
-    if (curves.type == "cubic" && curves.basis == "bezier" && told.size() >= 4) {
-        for (std::size_t i = 0; i < told.size(); i += 3)
-            points.push_back(told[i]);
-    } else if (curves.type == "cubic" && curves.basis == "bspline" && told.size() >= 4) {
-        for (std::size_t i = 0; i + 2 < told.size(); ++i)
-            points.push_back((told[i] + 4.0F * told[i + 1] + told[i + 2]) / 6.0F);
-    } else {
-        points.insert(points.end(), told.begin(), told.end());
-    }
-}
-
-/// None where its counts do not agree.
-std::optional<ForeignStrands> strandsOf(const UsdCurves& curves)
-{
-    std::vector<glm::vec3> told(curves.points.size() / 3);
-    for (std::size_t i = 0; i < told.size(); ++i)
-        told[i] = {curves.points[3 * i], curves.points[3 * i + 1], curves.points[3 * i + 2]};
-    if (curves.points.size() % 3 != 0 || !std::ranges::all_of(curves.points, [](float v) { return std::isfinite(v); }))
-        return std::nullopt;
-    const PerPoint<float> widths(curves.widths, curves.counts.size(), told.size());
-    const PerPoint<glm::vec3> colours(curves.colours, curves.counts.size(), told.size());
-    ForeignStrands strands;
-    strands.name = curves.groupName;
-    strands.hasColours = !curves.colours.empty() && colours.isTold();
-    strands.isGuides = !curves.guides.empty() && std::ranges::all_of(curves.guides, [](float v) { return v != 0.0F; });
-    std::size_t first = 0;
-    for (std::size_t i = 0; i < curves.counts.size(); ++i) {
-        const float count = curves.counts[i];
-        if (!(count >= 2.0F) || count > static_cast<float>(told.size() - first) || count != std::floor(count))
-            return std::nullopt;
-        const std::size_t last = first + static_cast<std::size_t>(count) - 1;
-        addCurve(curves, std::span(told).subspan(first, last - first + 1), strands.points);
-        strands.ends.push_back(static_cast<std::uint32_t>(strands.points.size()));
-        StrandLook look;
-        if (!curves.widths.empty() && widths.isTold()) {
-            const auto wide = [](float width) { return std::isfinite(width) && width > 0.0F ? width : 0.0F; };
-            look.rootWidth = wide(widths.at(i, first));
-            look.tipWidth = wide(widths.at(i, last));
-        }
-        if (strands.hasColours) {
-            look.rootColour = asEncoded(colours.at(i, first));
-            look.tipColour = asEncoded(colours.at(i, last));
-        }
-        strands.looks.push_back(look);
-        first = last + 1;
-    }
-    return first == told.size() ? std::optional<ForeignStrands>(std::move(strands)) : std::nullopt;
 }
 
 bool isSpecifier(std::string_view word)
@@ -155,6 +53,8 @@ public:
             return tl::unexpected(*m_problem);
         if (m_scanner.isBroken())
             return brokenUsd();
+        if (m_curves.groups.empty() && (m_sawNurbs || m_refers))
+            return holdsOther();
         const auto isGuides = [](const ForeignStrands& strands) { return strands.isGuides; };
         if (!std::ranges::all_of(m_curves.groups, isGuides))
             std::erase_if(m_curves.groups, isGuides);
@@ -162,6 +62,15 @@ public:
     }
 
 private:
+    [[nodiscard]] tl::unexpected<Clause> holdsOther() const
+    {
+        return m_sawNurbs ? refuse(say(QT_TRANSLATE_NOOP("Files", "its curves are NURBS, which are not read; export "
+                                                                  "them as basis curves")),
+                                   Clause::Cure::OtherFile)
+                          : refuse(say(QT_TRANSLATE_NOOP("Files", "its hair is in other files, which it refers to; "
+                                                                  "export it flattened into one")),
+                                   Clause::Cure::OtherFile);
+    }
     [[nodiscard]] bool goesOn() const { return !m_isCancelled && !m_problem && !m_scanner.isBroken(); }
     [[nodiscard]] std::string_view nextWord() const
     {
@@ -191,6 +100,9 @@ private:
                     const double unit = m_scanner.number().value_or(0.0);
                     if (unit > 0.0 && unit < 1e6)
                         m_curves.metresPerUnit = static_cast<float>(unit);
+                } else if (key == "subLayers") {
+                    m_refers = true;
+                    m_scanner.skipValue();
                 } else if (key == "upAxis") {
                     m_curves.upAxis = m_scanner.quoted() == "Z" ? UpAxis::Z : UpAxis::Y;
                 } else {
@@ -208,14 +120,15 @@ private:
             return m_scanner.setBroken();
         const std::string_view type = m_scanner.peek() == '"' ? std::string_view() : m_scanner.word();
         const std::string_view name = m_scanner.quoted();
+        UsdCurves curves;
         if (m_scanner.peek() == '(')
-            m_scanner.skipValue();
+            readPrimMetadata(curves);
+        m_sawNurbs = m_sawNurbs || type == "NurbsCurves";
         if (specifier == "class") {
             m_scanner.skipValue();
             return;
         }
         m_scanner.expect('{');
-        UsdCurves curves;
         UsdTransform transform;
         curves.groupName = QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
         const std::size_t firstGroup = m_curves.groups.size();
@@ -232,11 +145,11 @@ private:
 
     void add(const UsdCurves& curves)
     {
-        std::optional<ForeignStrands> strands = strandsOf(curves);
-        if (!strands || m_curves.groups.size() == kMostNames)
-            m_scanner.setBroken();
-        else
-            m_curves.groups.push_back(std::move(*strands));
+        std::optional<std::vector<ForeignStrands>> groups = strandsOf(curves);
+        if (!groups || m_curves.groups.size() + groups->size() > kMostNames)
+            return m_scanner.setBroken();
+        for (ForeignStrands& strands : *groups)
+            m_curves.groups.push_back(std::move(strands));
     }
 
     /// What the prim holds, as it moves it.
@@ -274,10 +187,7 @@ private:
             return readPrim(depth + 1);
         if (first == "variantSet") {
             (void)m_scanner.word();
-            m_scanner.skipValue(); // Its name.
-            m_scanner.expect('=');
-            m_scanner.skipValue();
-            return;
+            return readVariants(depth, curves, transform);
         }
         // Qualifiers and a type stand before the name: it is the last word.
         std::string_view name;
@@ -288,7 +198,99 @@ private:
         if (m_scanner.accept('='))
             readValue(name, curves, transform);
         if (m_scanner.peek() == '(')
-            m_scanner.skipValue();
+            readValueMetadata(name, curves);
+    }
+
+    /// "style" = { "long" { ... } "bald" { ... } }: of the one that the prim has chosen.
+    void readVariants(int depth, UsdCurves& curves, UsdTransform& transform)
+    {
+        const auto chosen = curves.variants.find(m_scanner.quoted());
+        m_scanner.expect('=');
+        m_scanner.expect('{');
+        while (!m_scanner.accept('}') && goesOn()) {
+            const std::string_view name = m_scanner.quoted();
+            if (m_scanner.peek() == '(')
+                m_scanner.skipValue();
+            if (chosen == curves.variants.end() || chosen->second != name) {
+                m_scanner.skipValue();
+                continue;
+            }
+            m_scanner.expect('{');
+            if (depth >= kDeepestPrim)
+                return m_scanner.setBroken();
+            while (!m_scanner.accept('}') && goesOn())
+                readStatement(depth + 1, curves, transform);
+        }
+    }
+
+    /// visit(key) for each "key = value" of what stands in brackets; it reads the value, or returns false.
+    template<typename Visit>
+    void readMetadata(const Visit& visit)
+    {
+        m_scanner.expect('(');
+        while (!m_scanner.accept(')') && goesOn()) {
+            if (m_scanner.accept(';') || m_scanner.accept(','))
+                continue;
+            if (const char next = m_scanner.peek(); next == '"' || next == '\'') {
+                m_scanner.skipValue();
+                continue;
+            }
+            const std::string_view key = m_scanner.word();
+            if (key.empty())
+                m_scanner.setBroken();
+            else if (m_scanner.accept('=') && !visit(key))
+                m_scanner.skipValue();
+        }
+    }
+
+    void readPrimMetadata(UsdCurves& curves)
+    {
+        readMetadata([this, &curves](std::string_view key) {
+            if (key == "active") {
+                const std::string_view value = m_scanner.word();
+                curves.isHidden = curves.isHidden || value == "false" || value == "0";
+                return true;
+            }
+            if (key == "variants") {
+                m_scanner.expect('{');
+                while (!m_scanner.accept('}') && goesOn()) {
+                    (void)m_scanner.word(); // "string"
+                    const std::string_view set = m_scanner.word();
+                    m_scanner.expect('=');
+                    curves.variants.insert_or_assign(set, m_scanner.quoted());
+                    m_scanner.accept(',');
+                    m_scanner.accept(';');
+                }
+                return true;
+            }
+            m_refers = m_refers || key == "references" || key == "payload";
+            return false;
+        });
+    }
+
+    void readValueMetadata(std::string_view name, UsdCurves& curves)
+    {
+        readMetadata([this, name, &curves](std::string_view key) {
+            if (key != "interpolation")
+                return false;
+            const std::string_view told = m_scanner.quoted();
+            if (UsdPrimvar* primvar = primvarOf(name, curves))
+                primvar->interpolation = told;
+            return true;
+        });
+    }
+
+    /// Null where it is none that hair is read from.
+    static UsdPrimvar* primvarOf(std::string_view name, UsdCurves& curves)
+    {
+        constexpr std::string_view kPrefix = "primvars:";
+        static const std::set<std::string_view> kKnown{"widths",      "width",       "displayColor",  "groom_width",
+                                                       "groom_color", "groom_guide", "groom_group_id"};
+        if (name.starts_with(kPrefix))
+            name.remove_prefix(kPrefix.size());
+        else if (name != "widths")
+            return nullptr;
+        return kKnown.contains(name) ? &curves.primvars[std::string(name)] : nullptr;
     }
 
     void readValue(std::string_view name, UsdCurves& curves, UsdTransform& transform)
@@ -325,18 +327,24 @@ private:
             numbers(curves.points, 3 * kMostForeignPoints);
         } else if (name == "curveVertexCounts") {
             numbers(curves.counts, kMostForeignStrands);
-        } else if (name == "widths") {
-            numbers(curves.widths, kMostForeignPoints);
-        } else if (name == "primvars:displayColor") {
-            numbers(curves.colours, 3 * kMostForeignPoints);
-        } else if (name == "primvars:groom_guide") {
-            numbers(curves.guides, kMostForeignStrands);
+        } else if (constexpr std::string_view kIndices = ":indices"; name.ends_with(kIndices)) {
+            if (UsdPrimvar* primvar = primvarOf(name.substr(0, name.size() - kIndices.size()), curves))
+                numbers(primvar->indices, kMostForeignPoints);
+            else
+                m_scanner.skipValue();
+        } else if (UsdPrimvar* primvar = primvarOf(name, curves)) {
+            numbers(primvar->values, 3 * kMostForeignPoints);
+        } else if (name == "wrap") {
+            token(curves.wrap);
+        } else if (name == "purpose") {
+            const std::string_view purpose = m_scanner.quoted();
+            curves.isHidden = curves.isHidden || purpose == "guide" || purpose == "proxy";
         } else if (name == "type") {
             token(curves.type);
         } else if (name == "basis") {
             token(curves.basis);
         } else if (name == "visibility") {
-            curves.isHidden = m_scanner.quoted() == "invisible";
+            curves.isHidden = m_scanner.quoted() == "invisible" || curves.isHidden;
         } else if (name == "primvars:groom_group_name") {
             readGroupName(curves);
         } else if (name == "xformOpOrder") {
@@ -378,6 +386,8 @@ private:
     ForeignCurves m_curves;
     std::optional<Clause> m_problem;
     bool m_isCancelled = false;
+    bool m_sawNurbs = false;
+    bool m_refers = false; ///< To other files.
 };
 
 } // namespace

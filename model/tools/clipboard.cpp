@@ -3,6 +3,7 @@
 
 #include "model/document/range_change.h"
 #include "model/maps/texel_ops.h"
+#include "model/maps/tile_paint.h"
 #include "model/tools/live_edit.h"
 #include "model/values/texel_math.h"
 
@@ -110,7 +111,26 @@ QImage imageFromClip(const Clip& clip)
     return image;
 }
 
-Clip clipFromImage(const QImage& image, MapKind map, int size, const QRectF& area)
+ImageReading readingOf(const QImage& image, const MapSpec& spec)
+{
+    if (image.format() == QImage::Format_Grayscale8 || image.format() == QImage::Format_Grayscale16)
+        return readingOf(std::span<const std::uint16_t>(), 1, spec);
+    // What its pixels are is seen in a smaller one.
+    constexpr int kEnough = 512;
+    const bool isLarge = image.width() > kEnough || image.height() > kEnough;
+    const QImage seen =
+        (isLarge ? image.scaled(kEnough, kEnough, Qt::KeepAspectRatio) : image).convertToFormat(QImage::Format_RGBA64);
+    std::vector<std::uint16_t> samples;
+    samples.reserve(static_cast<std::size_t>(seen.width()) * static_cast<std::size_t>(seen.height()) * 4);
+    for (int y = 0; y < seen.height(); ++y) {
+        const auto* const pixels = reinterpret_cast<const QRgba64*>(seen.constScanLine(y));
+        for (int x = 0; x < seen.width(); ++x)
+            samples.insert(samples.end(), {pixels[x].red(), pixels[x].green(), pixels[x].blue(), pixels[x].alpha()});
+    }
+    return readingOf(samples, 4, spec);
+}
+
+Clip clipFromImage(const QImage& image, MapKind map, bool grey, int size, const QRectF& area)
 {
     Clip clip{.map = map, .uvRect = {}, .texels = {}};
     const MapSpec& spec = mapSpec(map);
@@ -131,7 +151,7 @@ Clip clipFromImage(const QImage& image, MapKind map, int size, const QRectF& are
         for (int x = 0; x < clip.width; ++x)
             clip.texels.push_back({pixels[x].red(), pixels[x].green(), pixels[x].blue(), pixels[x].alpha()});
     }
-    texelOps(spec).fromColours(spec, clip.texels);
+    grey ? texelOps(spec).fromGreys(spec, clip.texels) : texelOps(spec).fromColours(spec, clip.texels);
     return clip;
 }
 
@@ -186,15 +206,31 @@ CommandPtr pasteCommand(Document& document, const LayerAddress& address, const C
     const int height = std::max(1, static_cast<int>(std::lround(clip.uvRect.height() * size)));
     const int left = static_cast<int>(std::lround((centre.x() - 0.5 * clip.uvRect.width()) * size));
     const int top = static_cast<int>(std::lround((1.0 - centre.y() - 0.5 * clip.uvRect.height()) * size));
-    for (int y = std::max(0, top); y < std::min(size, top + height); ++y) {
-        for (int x = std::max(0, left); x < std::min(size, left + width); ++x) {
-            const int column = (x - left) * clip.width / width;
-            const int row = (y - top) * clip.height / height;
-            const sim::Texel& texel = texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(clip.width) +
-                                             static_cast<std::size_t>(column)];
-            if (texel[static_cast<std::size_t>(target.valueChannels)] != 0 && contains(selected, x, y))
-                raster.setTexel(x, y, texel);
-        }
+    const auto texelAt = [&](int x, int y) -> const sim::Texel& {
+        const int column = (x - left) * clip.width / width;
+        const int row = (y - top) * clip.height / height;
+        return texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(clip.width) +
+                      static_cast<std::size_t>(column)];
+    };
+    const sim::TexelRect room{std::max(0, left), std::max(0, top), std::min(size, left + width),
+                              std::min(size, top + height)};
+    const auto channels = static_cast<std::size_t>(target.valueChannels);
+    MaskTile mask{};
+    std::vector<std::uint16_t> values(sim::kTileTexels * channels);
+    for (const int index : tilesIn(raster, std::vector{room})) {
+        const sim::TexelRect tile = raster.tileRect(index);
+        const sim::TexelRect part = shared(tile, room);
+        mask.fill(0);
+        for (int y = part.y0; y < part.y1; ++y)
+            for (int x = part.x0; x < part.x1; ++x) {
+                if (!contains(selected, x, y))
+                    continue;
+                const sim::Texel& texel = texelAt(x, y);
+                const auto at = static_cast<std::size_t>((y - tile.y0) * sim::TiledRaster::kTileSize + x - tile.x0);
+                mask[at] = texel[channels];
+                std::copy_n(texel.begin(), channels, values.begin() + static_cast<std::ptrdiff_t>(at * channels));
+            }
+        raster.setTile(index, paintTile(target, raster.tile(index), mask, {.value = {}, .values = values.data()}));
     }
     return paintCommand(document, address, differences(raster, layer->raster),
                         Clipboard::tr("Paste into %1").arg(target.titleText()));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/document/commands.h"
+#include "model/maps/image_reading.h"
 #include "model/tools/selection.h"
 
 #include <QImage>
@@ -26,18 +27,20 @@ struct Clip
 /// As other programs see it: in the colours of the map's scale, its coverage as alpha. Null where it is empty, or too
 /// large to be handed round.
 [[nodiscard]] QImage imageFromClip(const Clip& clip);
-/// An image of another program's as a clip for a map of `size` texels a side, fitted into `area` (uv) and read by the
-/// map's colours.
-[[nodiscard]] Clip clipFromImage(const QImage& image, MapKind map, int size, const QRectF& area);
+/// What an image of another program's can be to a map.
+[[nodiscard]] ImageReading readingOf(const QImage& image, const MapSpec& spec);
+/// Such an image as a clip for a map of `size` texels a side, fitted into `area` (uv) and read by the map's colours,
+/// or `grey` as the value.
+[[nodiscard]] Clip clipFromImage(const QImage& image, MapKind map, bool grey, int size, const QRectF& area);
 /// Makes the selected texels `texel`, coverage and all. "Fill Length". Null where the layer is hidden, locked or gone.
 [[nodiscard]] CommandPtr fillCommand(Document& document, const LayerAddress& address, const Selection& selection,
                                      const sim::Texel& texel, const QString& text);
 /// Clears the selected texels' coverage. "Cut Length", "Clear Length".
 [[nodiscard]] CommandPtr clearCommand(Document& document, const LayerAddress& address, const Selection& selection,
                                       const QString& text);
-/// Pastes at the clip's own position, or centred in the selection and only inside it. On a map of its kind
-/// amounts stay (15 cm), whatever range that one has. Between maps: scalar to scalar keeps the value; other pairs go
-/// through the colours that the images have.
+/// Lays the clip over what is there, as a brush does: at its own position, or centred in the selection and only inside
+/// it. On a map of its kind amounts stay (15 cm), whatever range that one has. Between maps: scalar to scalar keeps the
+/// value; other pairs go through the colours that the images have.
 [[nodiscard]] CommandPtr pasteCommand(Document& document, const LayerAddress& address, const Clip& clip,
                                       const Selection& selection);
 

@@ -8,6 +8,7 @@
 
 #include <QImage>
 #include <QJsonArray>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -60,9 +61,9 @@ private Q_SLOTS:
         }
     }
 
-    void whiteBlackAndGreyGrowNothing()
+    void whiteAndBlackGrowNothing()
     {
-        for (const QColor& colour : {QColor(Qt::white), QColor(Qt::black), QColor(128, 128, 128)}) {
+        for (const QColor& colour : {QColor(Qt::white), QColor(Qt::black)}) {
             const QString project = path("bare.hairpaint");
             QCOMPARE(runProgram({QStringLiteral("new"), QStringLiteral("-o"), project, QStringLiteral("--map"),
                                  QStringLiteral("density=") + filled("bare.png", colour)})
@@ -315,7 +316,7 @@ private Q_SLOTS:
             QCOMPARE(outcome.error, QString());
             QVERIFY(outcome.output.startsWith(QStringLiteral("hairpaint ") + verb));
             for (const QString& option : options)
-                QCOMPARE(outcome.output.count(QStringLiteral("\n  ") + option), 1);
+                QCOMPARE(outcome.output.count(QRegularExpression(QStringLiteral("\n  %1(?![\\w-])").arg(option))), 1);
         }
     }
 

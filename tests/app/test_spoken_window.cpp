@@ -52,8 +52,9 @@ QString withoutExceptions(QString text, const QString& driver)
     };
     for (const QRegularExpression& exception : kExceptions)
         text.remove(exception);
-    for (const QString& library : librariesInUse())
-        text.remove(library.section(QLatin1Char(' '), 0, 0)); // A line may break before its version.
+    for (const QString& library : librariesInUse()) // A line may break at each of its spaces.
+        for (const QString& word : library.section(QLatin1Char(' '), 0, -2).split(QLatin1Char(' ')))
+            text.remove(word);
     return text.remove(QSysInfo::prettyProductName()).remove(driver);
 }
 

@@ -2,12 +2,14 @@
 #include "model/files/image_map.h"
 #include "model/files/importer_client.h"
 #include "sim/groom/direction_texel.h"
+#include "tests/importer/foreign_images.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 
 #include <QBuffer>
+#include <QColorSpace>
 #include <QImage>
 #include <QImageReader>
 #include <QTemporaryDir>
@@ -240,6 +242,113 @@ private Q_SLOTS:
         QVERIFY(!image);
         QVERIFY2(image.error().message.contains(QStringLiteral("compressed")), qPrintable(image.error().message));
         QVERIFY2(test::isOneSentenceNaming(image.error().message, file), qPrintable(image.error().message));
+    }
+
+    void anImageOfAnotherProgramIsReadByItsFormat_data()
+    {
+        using Samples = QList<int>;
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<bool>("areColours");
+        QTest::addColumn<int>("channels");
+        QTest::addColumn<Samples>("expected");
+        const auto row = [](const char* title, const QByteArray& bytes, const char* name, bool areColours, int channels,
+                            const Samples& expected) {
+            QTest::newRow(title) << bytes << QString::fromLatin1(name) << areColours << channels << expected;
+        };
+        const QList<QByteArray> rgb{"B", "G", "R"};
+        row("linear EXR, colours", test::exr(rgb, {0.02F, 0.05F, 0.5F}, 0, 1, 1), "a.exr", true, 3,
+            {48192, 16240, 9942});
+        row("linear EXR, data", test::exr(rgb, {0.02F, 0.05F, 0.5F}, 0, 1, 1), "a.exr", false, 3, {32768, 3277, 1311});
+        row("EXR with a display window", test::exr({"Y"}, {0.8F}, 1, 2, 4), "a.exr", false, 2,
+            {0, 0, 52428, 65535, 52428, 65535, 0, 0});
+        row("EXR with more than it shows", test::exr({"Y"}, {0.8F}, -2, 9, 2), "a.exr", false, 1, {52428, 52428});
+        row("EXR with alpha", test::exr({"A", "B", "G", "R"}, {0.5F, 0.25F, 0.25F, 0.25F}, 0, 1, 1), "a.exr", false, 4,
+            {32768, 32768, 32768, 32768});
+        row("EXR with depth", test::exr({"B", "G", "R", "Z"}, {0.2F, 0.4F, 0.6F, 0.25F}, 0, 1, 1), "a.exr", false, 3,
+            {39321, 26214, 13107});
+        row("EXR of a layer", test::exr({"hair.B", "hair.G", "hair.R"}, {0.2F, 0.4F, 0.6F}, 0, 1, 1), "a.exr", false, 3,
+            {39321, 26214, 13107});
+        row("EXR of luminance and chroma", test::exr({"BY", "RY", "Y"}, {0.2F, 0.4F, 0.6F}, 0, 1, 1), "a.exr", false, 1,
+            {39321});
+        const QByteArray pixel("\x32\x64\x14\x80", 4);
+        row("TIFF, associated alpha", test::tiff({.samples = 4, .photometric = 2, .extra = 1, .data = pixel}), "a.tif",
+            false, 4, {25600, 51199, 10240, 32896});
+        row("TIFF, unassociated alpha", test::tiff({.samples = 4, .photometric = 2, .extra = 2, .data = pixel}),
+            "a.tif", false, 4, {12850, 25700, 5140, 32896});
+        row("TIFF, a channel that is no alpha", test::tiff({.samples = 4, .photometric = 2, .extra = 0, .data = pixel}),
+            "a.tif", false, 3, {12850, 25700, 5140});
+        row("TIFF, 0 is white, 8 bits", test::tiff({.photometric = 0, .data = "\x0A"}), "a.tif", false, 1, {62965});
+        row("TIFF, 0 is white, 16 bits", test::tiff({.bits = 16, .photometric = 0, .data = QByteArray("\xE8\x03", 2)}),
+            "a.tif", false, 1, {64535});
+        row("TIFF, 0 is white, with alpha",
+            test::tiff({.samples = 2, .photometric = 0, .extra = 2, .data = QByteArray("\x0A\x80", 2)}), "a.tif", false,
+            2, {62965, 32896});
+        row("TIFF, bits not told", test::tiff({.width = 4, .bits = 1, .tellsBits = false, .data = "\xA0"}), "a.tif",
+            false, 1, {65535, 0, 65535, 0});
+        row("BMP, unused byte", test::bmp32(QByteArray("\x14\x64\x32\0", 4)), "a.bmp", false, 3, {12850, 25700, 5140});
+        row("WebP, alpha", test::webp(), "a.webp", false, 4, {51400, 25700, 12850, 32896, 2570, 5140, 7710, 65535});
+        row("WebP, turned", test::turnedWebp(), "a.webp", false, 3, {2570, 5140, 7710, 51400, 25700, 12850});
+        row("PSD with its picture", test::psd(true), "a.psd", false, 3, {32896, 16448, 8224});
+    }
+    void anImageOfAnotherProgramIsReadByItsFormat()
+    {
+        QFETCH(QByteArray, bytes);
+        QFETCH(QString, name);
+        QFETCH(bool, areColours);
+        QFETCH(int, channels);
+        QFETCH(QList<int>, expected);
+        const QString file = path(name);
+        test::writeBytes(file, bytes);
+        const auto image = areColours ? m_client.readColours(file) : m_client.readImage(file);
+        QVERIFY2(image, image ? "" : qPrintable(image.error().message));
+        QCOMPARE(image->channels, channels);
+        QCOMPARE(QList<int>(image->pixels.begin(), image->pixels.end()), expected);
+    }
+
+    void aPsdOfLayersAloneIsRefused()
+    {
+        const QString file = path(QStringLiteral("layers.psd"));
+        test::writeBytes(file, test::psd(false));
+        const auto image = m_client.readImage(file);
+        QVERIFY(!image);
+        QVERIFY2(image.error().message.contains(QStringLiteral("layers")), qPrintable(image.error().message));
+        QVERIFY2(test::isOneSentenceNaming(image.error().message, file), qPrintable(image.error().message));
+    }
+
+    void coloursGoOutToExrInLinearLightAndComeBackExactly()
+    {
+        ForeignImage image = sample(3, false);
+        image.areColours = true;
+        const QString file = path(QStringLiteral("colours.exr"));
+        QVERIFY(m_client.writeImage(image, file, 16));
+        const auto back = m_client.readColours(file);
+        QVERIFY(back && back->pixels == image.pixels);
+        const auto light = m_client.readImage(file);
+        QVERIFY(light && light->pixels[0] < image.pixels[0]);
+    }
+
+    void aProfileCountsForColoursAlone()
+    {
+        QImage drawn(1, 1, QImage::Format_RGB888);
+        drawn.setPixelColor(0, 0, QColor(0, 255, 0));
+        drawn.setColorSpace(
+            QColorSpace(QColorSpace::ProPhotoRgb).withTransferFunction(QColorSpace::TransferFunction::SRgb));
+        drawn.setPixelColor(0, 0, QColor(100, 120, 90));
+        const QString file = path(QStringLiteral("profile.png"));
+        QVERIFY(drawn.save(file));
+        const QColor expected = drawn.convertedToColorSpace(QColorSpace(QColorSpace::SRgb)).pixelColor(0, 0);
+        const auto colours = m_client.readColours(file);
+        QVERIFY(colours);
+        QVERIFY(std::abs(colours->pixels[0] / 257 - expected.red()) <= 2);
+        QVERIFY(std::abs(colours->pixels[1] / 257 - expected.green()) <= 2);
+        QVERIFY(std::abs(colours->pixels[2] / 257 - expected.blue()) <= 2);
+        QVERIFY(expected.green() != 120);
+        const auto data = m_client.readImage(file);
+        QCOMPARE(data->pixels, (std::vector<std::uint16_t>{25700, 30840, 23130}));
+        drawn.setColorSpace(QColorSpace(QColorSpace::SRgb));
+        QVERIFY(drawn.save(file));
+        QCOMPARE(m_client.readColours(file)->pixels, data->pixels);
     }
 
 #ifdef Q_OS_UNIX

@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+#include <cstdlib>
+
 using namespace hairpaint;
 using namespace hairpaint::model;
 using namespace hairpaint::test;
@@ -38,6 +40,7 @@ class TestClipboard : public QObject
 private Q_SLOTS:
     void aCopyHoldsTheSelectedTexels();
     void pastingBackChangesNothing();
+    void whatIsPastedSoftlyIsLaidOverWhatIsThere();
     void pastingGoesToTheMiddleOfTheSelection();
     void pastingAtTheBorderIsCutOff();
     void clearingTakesAwayTheSelectedTexelsOnly();
@@ -66,13 +69,24 @@ void TestClipboard::aCopyHoldsTheSelectedTexels()
 
 void TestClipboard::pastingBackChangesNothing()
 {
-    Document document(projectWith(MapKind::Gel, {40000, 30000, 0, 0}));
+    Document document(projectWith(MapKind::Gel, {40000, 65535, 0, 0}));
     Selection selection;
     for (const std::optional<QRectF>& rectangle : {std::optional<QRectF>(), std::optional(kThere)}) {
         selection.setRectangle(rectangle);
         const Clip clip = copyClip(document, firstLayer(document, MapKind::Gel), selection);
         QCOMPARE(pasteCommand(document, firstLayer(document, MapKind::Gel), clip, selection), nullptr);
     }
+}
+
+void TestClipboard::whatIsPastedSoftlyIsLaidOverWhatIsThere()
+{
+    Document soft(projectWith(MapKind::Gel, {40000, 32768, 0, 0}));
+    Document document(projectWith(MapKind::Gel, {20000, 65535, 0, 0}));
+    const Clip clip = copyClip(soft, firstLayer(soft, MapKind::Gel), {});
+    document.push(pasteCommand(document, firstLayer(document, MapKind::Gel), clip, {}));
+    const sim::Texel pasted = rasterOf(document, MapKind::Gel).texel(70, 70);
+    QVERIFY2(std::abs(pasted[0] - 30000) < 5, qPrintable(QString::number(pasted[0])));
+    QCOMPARE(int{pasted[1]}, 65535);
 }
 
 void TestClipboard::pastingGoesToTheMiddleOfTheSelection()
@@ -182,7 +196,9 @@ void TestClipboard::pastingBetweenMapsConverts()
     const sim::Texel pasted = rasterOf(document, target).texel(160, 96);
     for (std::size_t i = 0; i < static_cast<std::size_t>(mapSpec(target).valueChannels); ++i)
         QCOMPARE(static_cast<int>(pasted[i]), expected[static_cast<qsizetype>(i)]);
-    QCOMPARE(static_cast<int>(pasted[static_cast<std::size_t>(mapSpec(target).valueChannels)]), 50000);
+    // What has no values between its own has no soft edge.
+    const int coverage = target == MapKind::Braid ? 65535 : 50000;
+    QCOMPARE(static_cast<int>(pasted[static_cast<std::size_t>(mapSpec(target).valueChannels)]), coverage);
 }
 
 void TestClipboard::mapsOfAnotherSizeGetTheSameArea()
@@ -235,7 +251,7 @@ void TestClipboard::anImageIsFittedIntoItsArea()
 {
     QImage image(40, 20, QImage::Format_RGB32);
     image.fill(Qt::blue);
-    const Clip clip = clipFromImage(image, MapKind::Length, 256, QRectF(0.0, 0.0, 1.0, 1.0));
+    const Clip clip = clipFromImage(image, MapKind::Length, false, 256, QRectF(0.0, 0.0, 1.0, 1.0));
     QCOMPARE(QSize(clip.width, clip.height), QSize(256, 128));
     QCOMPARE(clip.uvRect, QRectF(0.0, 0.25, 1.0, 0.5));
     const auto isFull = [](const sim::Texel& t) { return t[0] > 65500 && t[1] > 65500; }; // Scaling rounds.

@@ -118,11 +118,24 @@ private Q_SLOTS:
         QVERIFY(unreal && unreal->metresPerUnit == 0.01F && unreal->upAxis == UpAxis::Z);
     }
 
+    void aStrandWithAPointThatIsNoneIsLeftOut()
+    {
+        const float nothing = std::numeric_limits<float>::quiet_NaN();
+        const QString path = m_folder.filePath(QStringLiteral("a.hair"));
+        test::writeBytes(
+            path, changed(hairBytes(), 132, QByteArray(reinterpret_cast<const char*>(&nothing), sizeof(nothing))));
+        const Result<ForeignCurves> curves = readCurves(path);
+        QVERIFY(curves);
+        QCOMPARE(curves->leftOut, std::size_t{1});
+        QCOMPARE(curves->groups.front().count(), std::size_t{1});
+        QCOMPARE(curves->groups.front().looks.size(), std::size_t{1});
+        QVERIFY(curves->groups.front().strand(0).front() == glm::vec3(9.0F, 10.0F, 11.0F));
+    }
+
     void whatLiesIsRefused_data()
     {
         QTest::addColumn<QByteArray>("bytes");
         const QByteArray whole = hairBytes();
-        const float nothing = std::numeric_limits<float>::quiet_NaN();
         QTest::newRow("another format") << changed(whole, 0, "HAIL");
         QTest::newRow("a header alone") << whole.first(128);
         QTest::newRow("half a header") << whole.first(60);
@@ -132,8 +145,6 @@ private Q_SLOTS:
         QTest::newRow("fewer points") << changed(whole, 8, QByteArray("\x04", 1));
         QTest::newRow("no points") << changed(whole, 12, QByteArray("\x1D", 1));
         QTest::newRow("a strand of one point") << changed(whole, 130, QByteArray("\0", 1));
-        QTest::newRow("a position that is none")
-            << changed(whole, 132, QByteArray(reinterpret_cast<const char*>(&nothing), sizeof(nothing)));
         QTest::newRow("segments that do not add up") << changed(hairBytes(2), 16, QByteArray("\xFF\xFF\xFF\xFF", 4));
     }
     void whatLiesIsRefused()

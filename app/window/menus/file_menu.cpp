@@ -41,8 +41,9 @@ void FileMenu::addProjectActions(ActionSet& actions, view::EditorState& editor)
 void FileMenu::addMapActions(ActionSet& actions, MapExchange& maps)
 {
     actions.add(*this,
-                {{"file.loadImage", tr("Load &image into map…"), {}, [&maps] { maps.importImage(false); }, "import"},
+                {{"file.loadImage", tr("Load &image into map…"), {}, [&maps] { maps.importImage(std::nullopt); }, "import"},
                  {"file.loadGrey", tr("Load &grey image into map…"), {}, [&maps] { maps.importImage(true); }},
+                 {"file.loadImages", tr("Loa&d maps…"), {}, [&maps] { maps.importFolder(); }},
                  {"file.saveImage", tr("Save &map as image…"), {}, [&maps] { maps.exportMap(); }, "export"},
                  {"file.saveImages", tr("Sa&ve maps as images…"), {}, [&maps] { maps.saveMaps(); }},
                  {"file.editOutside", tr("Edit layer in ano&ther program"), {}, [&maps] { maps.editOutside(); }},
