@@ -39,14 +39,11 @@ struct Document::State
     MapResolver resolver;   ///< Of what is shown.
     ProjectPatches patches; ///< Of what is committed.
 
-    explicit State(Project project) : committed(std::move(project)), resolver(committed) { findPatches(); }
-
-    /// Of content that comes from elsewhere: what is worn is made to agree with the maps.
-    void findPatches()
+    explicit State(Project project) : committed(std::move(project)), resolver(committed)
     {
-        patches = {};
-        patches.follow(committed, nullptr);
+        patches.follow(committed, nullptr); // Content from elsewhere: what is worn is made to agree with the maps.
     }
+
     [[nodiscard]] const ProjectPatches& shownPatches() const
     {
         return running && running->patches ? *running->patches : patches;
@@ -132,9 +129,11 @@ void Document::replace(Project project)
 
 void Document::replace(Project project, ResolvedMaps resolved)
 {
+    ProjectPatches patches; // First, as above.
+    patches.follow(project, nullptr);
     const bool ended = std::exchange(m_state->running, std::nullopt).has_value();
     m_state->committed = std::move(project);
-    m_state->findPatches();
+    m_state->patches = std::move(patches);
     m_state->resolver.replace(std::move(resolved));
     m_state->undoStack.clear();
     m_state->undoBudget.reset();

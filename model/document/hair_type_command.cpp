@@ -8,7 +8,7 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr std::uint16_t kFullCurl = 65535;           ///< As coverage, too.
+constexpr std::uint16_t kFullCurl = 65535;          ///< As coverage, too.
 constexpr std::uint16_t kLeastCurl = kFullCurl / 4; ///< Of coils: below, hair looks straight or nearly so.
 
 bool showsCurl(const sim::TiledRaster& curl)

@@ -58,10 +58,10 @@ std::vector<RootDab> RootDabs::moveTo(const OverHair& hair, const ToolContext& c
             continue;
         m_strengths[strand.slot] = std::max(m_strengths[strand.slot], strength);
         const float radiusM = std::min(kRadiusOfSpacing * spacingM(strand.root.uv, detail), kWidestM);
-        RootDab& one = dabs.emplace_back(RootDab{
-            .dab = dabAt(SkinMetric::at(strand.root), strand.root.uv, radiusM, m_mapSize),
-            .root = strand.root,
-            .seenHd = strand.positionHd});
+        RootDab& one =
+            dabs.emplace_back(RootDab{.dab = dabAt(SkinMetric::at(strand.root), strand.root.uv, radiusM, m_mapSize),
+                                      .root = strand.root,
+                                      .seenHd = strand.positionHd});
         one.dab.strength = strength;
         if (!context.mirror)
             continue;

@@ -82,7 +82,7 @@ struct ToolSettings
     FingerKind fingers = FingerKind::Puff;
     float fingerStrength = 0.5F; ///< 0..1 of what a stroke could do.
     GrabKind grab = GrabKind::Hair;
-    float lift = 0.5F;        ///< -1..1: from hair as it lies to upright, or to flat below 0.
+    float lift = 0.5F; ///< -1..1: from hair as it lies to upright, or to flat below 0.
     CutKind cut = CutKind::Line;
     bool cutThrough = false;  ///< Cut what the head hides, too.
     float cutFraction = 1.0F; ///< 0.01..1 of the hairs that are crossed.

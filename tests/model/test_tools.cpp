@@ -258,7 +258,7 @@ void TestTools::toolsHaveTheirOwnIdsKeysAndHints()
     }
     QCOMPARE(ids.join(QLatin1Char(' ')),
              QStringLiteral("brush eraser comb part grab fingers scissors gradient fill shape select picker"));
-    QCOMPARE(keys.join(QLatin1Char(' ')), QStringLiteral("B E C P Y K G Shift+G U M I"));
+    QCOMPARE(keys.join(QLatin1Char(' ')), QStringLiteral("B E C P Y R K G Shift+G U M I"));
 }
 
 void TestTools::eachEventTellsOnlyTheTilesItTouched()
