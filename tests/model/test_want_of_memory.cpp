@@ -105,7 +105,8 @@ private Q_SLOTS:
         const Id group = old.groups.front().id;
         const auto length = document.resolved(group, MapKind::Length);
         // So small that nothing fits, so that it fails at the first, at a later and at the last map in turn.
-        const Project next = test::makeSampleProject();
+        // With the things of its patches, which a document adds.
+        const Project next = Document(test::makeSampleProject()).committed();
         QStringList wrong;
         const auto check = [&wrong](bool right, const char* what) {
             if (!right)
