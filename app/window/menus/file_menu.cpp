@@ -40,14 +40,15 @@ void FileMenu::addProjectActions(ActionSet& actions, view::EditorState& editor)
 
 void FileMenu::addMapActions(ActionSet& actions, MapExchange& maps)
 {
-    actions.add(*this,
-                {{"file.loadImage", tr("Load &image into map…"), {}, [&maps] { maps.importImage(std::nullopt); }, "import"},
-                 {"file.loadGrey", tr("Load &grey image into map…"), {}, [&maps] { maps.importImage(true); }},
-                 {"file.loadImages", tr("Loa&d maps…"), {}, [&maps] { maps.importFolder(); }},
-                 {"file.saveImage", tr("Save &map as image…"), {}, [&maps] { maps.exportMap(); }, "export"},
-                 {"file.saveImages", tr("Sa&ve maps as images…"), {}, [&maps] { maps.saveMaps(); }},
-                 {"file.editOutside", tr("Edit layer in ano&ther program"), {}, [&maps] { maps.editOutside(); }},
-                 {"file.uvSheet", tr("Save &UV sheet…"), {}, [&maps] { maps.saveSheet(); }}});
+    actions.add(
+        *this,
+        {{"file.loadImage", tr("Load &image into map…"), {}, [&maps] { maps.importImage(std::nullopt); }, "import"},
+         {"file.loadGrey", tr("Load &grey image into map…"), {}, [&maps] { maps.importImage(true); }},
+         {"file.loadImages", tr("Loa&d maps…"), {}, [&maps] { maps.importFolder(); }},
+         {"file.saveImage", tr("Save &map as image…"), {}, [&maps] { maps.exportMap(); }, "export"},
+         {"file.saveImages", tr("Sa&ve maps as images…"), {}, [&maps] { maps.saveMaps(); }},
+         {"file.editOutside", tr("Edit layer in ano&ther program"), {}, [&maps] { maps.editOutside(); }},
+         {"file.uvSheet", tr("Save &UV sheet…"), {}, [&maps] { maps.saveSheet(); }}});
 }
 
 void FileMenu::addExchangeActions(ActionSet& actions, Exchange& exchange, const view::EditorState& editor)
