@@ -149,8 +149,10 @@ void SceneMaker::addTree(int root, int parent)
                                  .toParent = transformOf(at(node))});
         if (above >= 0)
             m_scene.nodes[static_cast<std::size_t>(above)].children.push_back(own);
-        for (auto child = at(node).children.rbegin(); child != at(node).children.rend(); ++child)
-            open.emplace_back(*child, own);
+        std::vector<int> children = at(node).children;
+        std::ranges::reverse(children);
+        for (const int child : children)
+            open.emplace_back(child, own);
     }
 }
 

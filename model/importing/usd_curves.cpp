@@ -35,21 +35,7 @@ public:
         const std::size_t count = primvar.indices.empty() ? values : primvar.indices.size();
         if (values == 0 || primvar.values.size() % kEach != 0)
             return;
-        const std::string_view told = primvar.interpolation;
-        if ((told == "constant" || told.empty()) && count >= 1 && (count == 1 || told == "constant"))
-            m_kind = Kind::Constant;
-        else if (count == curves && (told == "uniform" || told.empty()))
-            m_kind = Kind::Uniform;
-        else if (count == points && (told == "vertex" || told.empty()))
-            m_kind = Kind::Vertex;
-        else if (count == varying && told != "uniform" && told != "vertex")
-            m_kind = Kind::Varying;
-        else if (count == points)
-            m_kind = Kind::Vertex;
-        else if (count == curves)
-            m_kind = Kind::Uniform;
-        else if (count == 1)
-            m_kind = Kind::Constant;
+        m_kind = kindOf(primvar.interpolation, count, curves, points, varying);
     }
     [[nodiscard]] bool isTold() const { return m_kind != Kind::None; }
     /// `point`, `varying`: the end's number among all of them.
@@ -64,8 +50,8 @@ public:
             index = varying;
         if (!m_primvar.indices.empty()) {
             const float told = m_primvar.indices[index];
-            const auto values = static_cast<float>(m_primvar.values.size() / kEach);
-            index = told >= 0.0F && told < values ? static_cast<std::size_t>(told) : 0;
+            const std::size_t values = m_primvar.values.size() / kEach;
+            index = told >= 0.0F && told < static_cast<float>(values) ? static_cast<std::size_t>(told) : 0;
         }
         Value value;
         if constexpr (kEach == 1)
@@ -84,6 +70,26 @@ private:
         Varying,
         Vertex
     };
+
+    /// By what is told, where the count fits; else by the count alone.
+    static Kind kindOf(std::string_view told, std::size_t count, std::size_t curves, std::size_t points,
+                       std::size_t varying)
+    {
+        if (told == "constant" || (told.empty() && count == 1))
+            return Kind::Constant;
+        if (count == curves && (told == "uniform" || told.empty()))
+            return Kind::Uniform;
+        if (count == points && (told == "vertex" || told.empty()))
+            return Kind::Vertex;
+        if (count == varying && told != "uniform" && told != "vertex")
+            return Kind::Varying;
+        if (count == points)
+            return Kind::Vertex;
+        if (count == curves)
+            return Kind::Uniform;
+        return count == 1 ? Kind::Constant : Kind::None;
+    }
+
     static constexpr std::size_t kEach = std::is_same_v<Value, float> ? 1 : 3;
     const UsdPrimvar& m_primvar;
     Kind m_kind = Kind::None;

@@ -34,14 +34,15 @@ std::vector<CoursePoint> pointsNearSkin(const HairCourse& course, const sim::Ski
     std::vector<CoursePoint> points;
     float untilNextM = 0.0F;
     for (std::size_t i = 0; i + 1 < course.size(); ++i) {
-        const glm::vec3 way = course[i + 1] - course[i];
-        const float lengthM = glm::length(way);
-        for (; untilNextM < lengthM; untilNextM += stepM) {
-            const glm::vec3 at = course[i] + way * (untilNextM / lengthM);
+        const glm::vec3 segment = course[i + 1] - course[i];
+        const float lengthM = glm::length(segment);
+        while (untilNextM < lengthM) {
+            const glm::vec3 at = course[i] + segment * (untilNextM / lengthM);
             const sim::SurfacePoint below = skin.nearest(at);
             if (!points.empty() && glm::distance(below.positionHd, at) > kNearSkinM)
                 return points;
-            points.push_back({.skin = below, .alongHd = way / lengthM});
+            points.push_back({.skin = below, .alongHd = segment / lengthM});
+            untilNextM += stepM;
         }
         untilNextM -= lengthM;
     }
@@ -99,21 +100,21 @@ LaidHair layAlong(std::span<const HairCourse> courses, const LayShape& shape, Sk
 {
     LaidHair laid{.masks = StrokeBuffer(mapSize), .field = CombField(mapSize)};
     for (const HairCourse& course : courses) {
-        const std::vector<CoursePoint> points = pointsNearSkin(course, frames.skin(), kStepOfRadius * shape.radiusM);
-        // The root's own direction counts most, so it comes last.
-        for (auto point = points.rbegin(); point != points.rend(); ++point) {
-            Dab dab = dabAt(SkinMetric::at(point->skin), point->skin.uv, shape.radiusM, mapSize);
+        std::vector<CoursePoint> points = pointsNearSkin(course, frames.skin(), kStepOfRadius * shape.radiusM);
+        std::ranges::reverse(points); // The root's own direction counts most, so it comes last.
+        for (const CoursePoint& point : points) {
+            Dab dab = dabAt(SkinMetric::at(point.skin), point.skin.uv, shape.radiusM, mapSize);
             dab.hardness = shape.hardness;
             for (const sim::TexelRect& clip : clips)
                 laid.masks.add(dab, clip);
-            const sim::SkinFrame centre = sim::SkinFrame::at(point->skin);
+            const sim::SkinFrame centre = sim::SkinFrame::at(point.skin);
             laid.field.add(dab, [&](int x, int y) -> std::optional<glm::vec2> {
                 const glm::vec2 uvDown = (glm::vec2(x, y) + 0.5F) / static_cast<float>(mapSize);
                 const sim::SkinFrame frame = frames.at({uvDown.x, 1.0F - uvDown.y}).value_or(centre);
-                const glm::vec2 inPlane = frame.fromHd(point->alongHd);
+                const glm::vec2 inPlane = frame.fromHd(point.alongHd);
                 const float length = glm::length(inPlane);
                 // What would go into the head lies flat on it.
-                const float wanted = glm::dot(point->alongHd, frame.normal) < 0.0F ? 1.0F : length;
+                const float wanted = glm::dot(point.alongHd, frame.normal) < 0.0F ? 1.0F : length;
                 return length > 1e-4F ? inPlane * (wanted / length) : glm::vec2(0.0F);
             });
         }

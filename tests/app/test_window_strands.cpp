@@ -239,7 +239,7 @@ private Q_SLOTS:
         QTest::mouseRelease(m_head, Qt::LeftButton, {}, m_at + QPoint(0, 20));
         QVERIFY(same(preview, all()));
         QCOMPARE(stack().count(), steps + 1);
-        const auto was = before[sim::indexOf(changed)];
+        const auto& was = before[sim::indexOf(changed)];
         const auto is = map(changed);
         const bool atBelow = is->sampleNearest(below) != was->sampleNearest(below);
         QCOMPARE(atBelow, touch == TouchKind::Skin);

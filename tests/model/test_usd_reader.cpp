@@ -124,7 +124,7 @@ private Q_SLOTS:
         QTest::newRow("a name alone") << QByteArray("custom rel a");
         QTest::newRow("infinite") << QByteArray("float2[] a = [(-inf, nan)]");
         QTest::newRow("text") << QByteArray("string a = 'it\\'s ) # no comment'");
-        QTest::newRow("variants") << QByteArray("variantSet \"a\" = { \"b\" { def Xform \"c\" { } } }");
+        QTest::newRow("variants") << QByteArray(R"(variantSet "a" = { "b" { def Xform "c" { } } })");
         QTest::newRow("prim") << QByteArray("def Mesh \"a\" { int[] faceVertexCounts = [3] }");
         QTest::newRow("class") << QByteArray("class BasisCurves \"a\" { int[] curveVertexCounts = [7] }");
         QTest::newRow("hidden") << QByteArray(

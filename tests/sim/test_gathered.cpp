@@ -57,7 +57,7 @@ private Q_SLOTS:
         const Tie tie = tiedBall().groups.front().ties.front();
         forEachGathered(*groom, [&](std::uint32_t slot, const StrandStyle&, bool) {
             const std::vector<glm::vec3> points = drawn(*groom, slot, restNodes(*groom, slot), 7 * 24);
-            const auto ring = static_cast<std::size_t>(24 * ringNode(groom->nodes));
+            const std::size_t ring = 24 * static_cast<std::size_t>(ringNode(groom->nodes));
             const float taut = lengthOfLine(std::span(points).first(ring + 1));
             const float shortest = tautOverBall(groom->roots->positionHd[slot], tie.pointHd);
             QVERIFY2(taut < shortest * 1.03F + 1.5F * kRingM && taut > shortest * 0.97F - kRingM,
@@ -73,7 +73,7 @@ private Q_SLOTS:
         float deepest = 0.0F;
         forEachGathered(*groom, [&](std::uint32_t slot, const StrandStyle&, bool) {
             const std::vector<glm::vec3> points = drawn(*groom, slot, restNodes(*groom, slot), 7 * 24);
-            for (std::size_t i = 0; i <= static_cast<std::size_t>(24 * ringNode(groom->nodes)); ++i) {
+            for (std::size_t i = 0; i <= 24 * static_cast<std::size_t>(ringNode(groom->nodes)); ++i) {
                 const float distance = glm::length(points[i]) - kBallM;
                 deepest = std::min(deepest, distance);
                 // Where the straight line to the ring leaves the skin it may, and below it lies hair.
@@ -257,7 +257,7 @@ private Q_SLOTS:
                 return;
             ++count;
             const std::vector<glm::vec3> points = drawn(*frame.groom, slot, frameNodes(frame, slot), 7 * 24);
-            for (std::size_t i = static_cast<std::size_t>(24 * ringNode(frame.groom->nodes)); i < points.size(); ++i) {
+            for (std::size_t i = 24 * static_cast<std::size_t>(ringNode(frame.groom->nodes)); i < points.size(); ++i) {
                 const glm::vec3 off = points[i] - tie.pointHd;
                 const float along = glm::dot(off, tie.directionHd);
                 QVERIFY(glm::length(off - tie.directionHd * along) < tie.bunRadiusM * 1.1F);
@@ -301,7 +301,7 @@ private Q_SLOTS:
         forEachGathered(*curled, [&](std::uint32_t slot, const StrandStyle& style, bool) {
             const std::vector<glm::vec3> a = drawn(*straight, slot, restNodes(*straight, slot), 7 * 24);
             const std::vector<glm::vec3> b = drawn(*curled, slot, restNodes(*curled, slot), 7 * 24);
-            const auto ring = static_cast<std::size_t>(24 * ringNode(curled->nodes));
+            const std::size_t ring = 24 * static_cast<std::size_t>(ringNode(curled->nodes));
             for (std::size_t i = 0; i + 24 <= ring; ++i)
                 QVERIFY(glm::length(a[i] - b[i]) < 1e-5F);
             curls += style.turns > 0.0F && glm::length(a[ring + 40] - b[ring + 40]) > 1e-3F ? 1 : 0;

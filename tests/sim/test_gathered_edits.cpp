@@ -65,7 +65,7 @@ private Q_SLOTS:
         const auto after = builder.update(input).grooms.front();
         QVERIFY(differenceOf(*before, *after) != nullptr);
         forEachGathered(*before, [&](std::uint32_t slot, const StrandStyle& style, bool) {
-            QVERIFY(std::memcmp(&style, &after->style(slot), sizeof(style)) == 0);
+            QVERIFY(sameBytes(std::vector{style}, std::vector{after->style(slot)}));
             for (int node = 0; node < before->nodes; ++node)
                 QVERIFY(restNode(*before, slot, node) == restNode(*after, slot, node));
         });
@@ -81,7 +81,7 @@ private Q_SLOTS:
         forEachHair(*tied, [&](std::uint32_t slot, const StrandStyle& style) {
             if (tied->chunks[chunkOf(slot)]->gathered[inChunk(slot)])
                 return;
-            QVERIFY(std::memcmp(&style, &loose->style(slot), sizeof(style)) == 0);
+            QVERIFY(sameBytes(std::vector{style}, std::vector{loose->style(slot)}));
             for (int node = 0; node < tied->nodes; ++node)
                 QVERIFY(restNode(*tied, slot, node) == restNode(*loose, slot, node));
         });

@@ -65,6 +65,7 @@ inline std::vector<glm::vec3> drawn(const Groom& groom, std::uint32_t slot, std:
 inline std::vector<glm::vec3> restNodes(const Groom& groom, std::uint32_t slot)
 {
     std::vector<glm::vec3> nodes;
+    nodes.reserve(static_cast<std::size_t>(groom.nodes));
     for (int node = 0; node < groom.nodes; ++node)
         nodes.push_back(restNode(groom, slot, node));
     return nodes;
