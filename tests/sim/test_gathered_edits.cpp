@@ -11,6 +11,7 @@
 
 using namespace hairpaint::sim;
 using namespace hairpaint::test;
+using namespace hairpaint::test::tied;
 
 class TestGatheredEdits : public QObject
 {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <functional>
 
-namespace hairpaint::test {
+namespace hairpaint::test::tied {
 
 using namespace hairpaint::sim;
 
@@ -104,4 +104,4 @@ inline GroupFrame frameOf(const Simulation& simulation)
     return std::move(frame.groups.front());
 }
 
-} // namespace hairpaint::test
+} // namespace hairpaint::test::tied
