@@ -46,9 +46,10 @@ private Q_SLOTS:
         trigger("file.loadGrey");
         QCOMPARE(stack().count(), 1);
         QVERIFY2(std::abs(left() - 65535 / 5) < 300, qPrintable(QString::number(left())));
-        trigger("file.loadImage"); // By the scale, grey is nothing.
+        const int asTold = left();
+        trigger("file.loadImage"); // Gel's scale holds no greys: what is grey can be the value alone.
         QCOMPARE(stack().count(), 2);
-        QCOMPARE(left(), 0);
+        QCOMPARE(left(), asTold);
     }
 
     void anImageOfAnotherSizeIsSaidToBeResampled()
