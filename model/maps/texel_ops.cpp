@@ -1,30 +1,21 @@
-// Scalars, indices, colours and vectors.
+// Scalars and colours, and the table of all kinds.
 #include "model/maps/texel_ops.h"
 
+#include "model/maps/index_texels.h"
+#include "model/maps/vector_texels.h"
 #include "model/values/texel_math.h"
-#include "sim/groom/direction_texel.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace hairpaint::model {
 
 namespace {
 
-constexpr float kGreatest = 65535.0F;
 constexpr float kRounding = 0.5F; ///< lround would not become vector code; what it is added to is never negative.
-constexpr sim::Texel kBlack{0, 0, 0, 0};
-constexpr sim::Texel kWhite{65535, 65535, 65535, 0};
-
-class TexelWords
-{
-    Q_DECLARE_TR_FUNCTIONS(TexelWords)
-};
 
 // Scalars, colours and vectors
 
@@ -77,11 +68,6 @@ std::uint16_t anyNumber(const MapSpec& /*spec*/)
     return 65535;
 }
 
-std::uint16_t greyOf(const sim::Texel& rgba)
-{
-    return static_cast<std::uint16_t>((rgba[0] + rgba[1] + rgba[2] + 1) / 3);
-}
-
 // Scalars
 
 void blendScalars(BlendMode mode, const std::uint16_t* layer, std::size_t layerStep, std::uint16_t opacity,
@@ -107,9 +93,9 @@ void scalarsFromColours(const MapSpec& spec, std::span<sim::Texel> texels)
 {
     for (sim::Texel& texel : texels) {
         const float value =
-            colourToScale(spec, static_cast<float>(texel[0]) / kGreatest, static_cast<float>(texel[1]) / kGreatest,
-                          static_cast<float>(texel[2]) / kGreatest);
-        texel = {static_cast<std::uint16_t>(std::lround(value * kGreatest)), texel[3], 0, 0};
+            colourToScale(spec, static_cast<float>(texel[0]) / kFull16, static_cast<float>(texel[1]) / kFull16,
+                          static_cast<float>(texel[2]) / kFull16);
+        texel = {static_cast<std::uint16_t>(std::lround(value * kFull16)), texel[3], 0, 0};
     }
 }
 
@@ -128,7 +114,7 @@ void scalarsFromGreys(const MapSpec& /*spec*/, std::span<sim::Texel> texels)
 
 PaintValue scalarOf(const sim::Texel& texel)
 {
-    return {.scalar = static_cast<float>(texel[0]) / kGreatest};
+    return {.scalar = static_cast<float>(texel[0]) / kFull16};
 }
 
 sim::Texel texelOfScalar(const PaintValue& value)
@@ -144,105 +130,6 @@ QString scalarText(const sim::GroupSettings& settings, const MapSpec& spec, cons
     if (decimals == 1 && number.endsWith(zeros))
         number.chop(zeros.size());
     return number + QChar(0x2009) + spec.scale->unit(settings);
-}
-
-// Indices
-
-void layIndices(std::uint16_t* layer, const std::uint16_t* mask, const TilePaint& paint)
-{
-    for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel) {
-        if (mask[texel] < kHalfCoverage)
-            continue;
-        layer[texel * 2] = paint.values != nullptr ? paint.values[texel] : paint.value[0];
-        layer[texel * 2 + 1] = 65535;
-    }
-}
-
-void eraseIndices(const MapSpec& spec, std::uint16_t* layer, const std::uint16_t* mask, std::uint16_t /*opacity*/)
-{
-    for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel) {
-        if (mask[texel] < kHalfCoverage)
-            continue;
-        layer[texel * 2] = spec.defaultValue[0];
-        layer[texel * 2 + 1] = 0;
-    }
-}
-
-void blendIndices(BlendMode /*mode*/, const std::uint16_t* layer, std::size_t layerStep, std::uint16_t opacity,
-                  std::uint16_t* map, std::size_t count)
-{
-    for (std::size_t texel = 0; texel < count; ++texel) {
-        const std::uint16_t* source = layer + texel * layerStep;
-        map[texel] = mul16(source[1], opacity) >= kHalfCoverage ? source[0] : map[texel];
-    }
-}
-
-void chooseIndices(const sim::Texel& first, const sim::Texel& second, std::span<const std::uint16_t> fractions,
-                   std::uint16_t* values)
-{
-    for (const std::uint16_t fraction : fractions)
-        *values++ = (fraction < kHalfCoverage ? first : second)[0];
-}
-
-/// An index of 0, or of no entry, is the paper.
-void indicesToColours(const MapSpec& spec, bool nightPaper, const std::uint16_t* values, std::size_t step,
-                      std::size_t count, std::uint16_t* colours)
-{
-    for (std::size_t texel = 0; texel < count; ++texel) {
-        const std::size_t index = values[texel * step];
-        sim::Texel rgb = nightPaper ? kBlack : kWhite;
-        if (index > 0 && index < spec.palette.size()) {
-            const QRgb colour = spec.palette[index].colour;
-            rgb = {widened(qRed(colour)), widened(qGreen(colour)), widened(qBlue(colour)), 0};
-        }
-        colours = std::copy_n(rgb.begin(), 3, colours);
-    }
-}
-
-void indicesFromColours(const MapSpec& spec, std::span<sim::Texel> texels)
-{
-    for (sim::Texel& texel : texels)
-        texel = {colourToIndex(spec, static_cast<float>(texel[0]) / kGreatest, static_cast<float>(texel[1]) / kGreatest,
-                               static_cast<float>(texel[2]) / kGreatest),
-                 texel[3], 0, 0};
-}
-
-/// A grey of 0..1 spread over the palette's entries.
-void indicesToGreys(const MapSpec& spec, const std::uint16_t* values, std::size_t step, std::size_t count,
-                    std::uint16_t* greys)
-{
-    const auto last = static_cast<std::uint32_t>(spec.palette.size() - 1);
-    for (std::size_t texel = 0; texel < count; ++texel)
-        greys[texel] = static_cast<std::uint16_t>(std::min<std::uint32_t>(values[texel * step], last) * 65535U / last);
-}
-
-void indicesFromGreys(const MapSpec& spec, std::span<sim::Texel> texels)
-{
-    const auto last = static_cast<float>(spec.palette.size() - 1);
-    for (sim::Texel& texel : texels)
-        texel = {static_cast<std::uint16_t>(std::lround(static_cast<float>(greyOf(texel)) / kGreatest * last)),
-                 texel[3], 0, 0};
-}
-
-PaintValue indexOfTexel(const sim::Texel& texel)
-{
-    return {.index = texel[0]};
-}
-
-sim::Texel texelOfIndex(const PaintValue& value)
-{
-    return {static_cast<std::uint16_t>(value.index), 0, 0, 0};
-}
-
-QString indexText(const sim::GroupSettings& /*settings*/, const MapSpec& spec, const PaintValue& value)
-{
-    const auto index = static_cast<std::size_t>(std::max(value.index, 0));
-    return index < spec.palette.size() ? spec.palette[index].titleText() : QString::number(value.index);
-}
-
-std::uint16_t lastOfPalette(const MapSpec& spec)
-{
-    return static_cast<std::uint16_t>(spec.palette.size() - 1);
 }
 
 // Colours
@@ -288,107 +175,6 @@ sim::Texel texelOfColour(const PaintValue& value)
 QString colourText(const sim::GroupSettings& /*settings*/, const MapSpec& /*spec*/, const PaintValue& value)
 {
     return value.colour.name();
-}
-
-// Vectors
-
-sim::Texel turnedTexel(const sim::Texel& from, const sim::Texel& to, float fraction)
-{
-    return sim::texelOfDirection(sim::turnedBetween(sim::directionOf(from), sim::directionOf(to), fraction));
-}
-
-void layVectors(std::uint16_t* layer, const std::uint16_t* mask, const TilePaint& paint)
-{
-    for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel, layer += 3) {
-        const std::uint32_t fraction = mul16(mask[texel], paint.opacity);
-        if (fraction == 0)
-            continue;
-        const std::uint32_t after = layer[2] + mul16(65535U - layer[2], fraction);
-        sim::Texel value = paint.value;
-        if (paint.values != nullptr)
-            value = {paint.values[2 * texel], paint.values[2 * texel + 1], 0, 0};
-        if (fraction != after)
-            value = turnedTexel({layer[0], layer[1], 0, 0}, value,
-                                static_cast<float>(fraction) / static_cast<float>(std::max(after, 1U)));
-        layer[0] = value[0];
-        layer[1] = value[1];
-        layer[2] = static_cast<std::uint16_t>(after);
-    }
-}
-
-void blendVectors(BlendMode /*mode*/, const std::uint16_t* layer, std::size_t layerStep, std::uint16_t opacity,
-                  std::uint16_t* map, std::size_t count)
-{
-    for (std::size_t texel = 0; texel < count; ++texel, layer += layerStep, map += 2) {
-        const std::uint16_t fraction = mul16(layer[2], opacity);
-        if (fraction == 0)
-            continue;
-        sim::Texel mixed{layer[0], layer[1], 0, 0};
-        if (fraction != 65535)
-            mixed = turnedTexel({map[0], map[1], 0, 0}, mixed, static_cast<float>(fraction) / kGreatest);
-        map[0] = mixed[0];
-        map[1] = mixed[1];
-    }
-}
-
-/// A tangent-space normal map. Its (x + 1) / 2 is what is stored, to half a step.
-void vectorsToColours(const MapSpec& /*spec*/, bool /*nightPaper*/, const std::uint16_t* values, std::size_t step,
-                      std::size_t count, std::uint16_t* colours)
-{
-    for (std::size_t texel = 0; texel < count; ++texel, values += step, colours += 3) {
-        const glm::vec2 vector = sim::directionOf({values[0], values[1], 0, 0});
-        const float z = std::sqrt(std::max(1.0F - glm::dot(vector, vector), 0.0F));
-        colours[0] = values[0];
-        colours[1] = values[1];
-        colours[2] = unit16(0.5F * z + 0.5F);
-    }
-}
-
-/// Blue only says what red and green have said. Vectors too long, as of pictures that are no normal maps, lie flat.
-void vectorsFromColours(const MapSpec& /*spec*/, std::span<sim::Texel> texels)
-{
-    for (sim::Texel& texel : texels) {
-        const glm::vec2 read = (glm::vec2(texel[0], texel[1]) - sim::kDirectionZero) / sim::kDirectionOne;
-        const std::uint16_t coverage = texel[3];
-        if (glm::dot(read, read) > 1.0F)
-            texel = sim::texelOfDirection(read);
-        texel[2] = coverage;
-        texel[3] = 0;
-    }
-}
-
-/// How flat hair lies, down the map.
-void vectorsFromGreys(const MapSpec& /*spec*/, std::span<sim::Texel> texels)
-{
-    for (sim::Texel& texel : texels) {
-        const std::uint16_t coverage = texel[3];
-        texel = sim::texelOfDirection({0.0F, -static_cast<float>(greyOf(texel)) / kGreatest});
-        texel[2] = coverage;
-    }
-}
-
-PaintValue vectorOf(const sim::Texel& texel)
-{
-    return {.direction = sim::directionOf(texel)};
-}
-
-sim::Texel texelOfVector(const PaintValue& value)
-{
-    return sim::texelOfDirection(value.direction);
-}
-
-/// The angle is counted from the map's right, against the clock.
-QString vectorText(const sim::GroupSettings& /*settings*/, const MapSpec& /*spec*/, const PaintValue& value)
-{
-    const float flatness = glm::length(value.direction);
-    const int percent = static_cast<int>(std::lround(flatness * 100.0F));
-    if (percent == 0)
-        return TexelWords::tr("upright");
-    const double turns = std::atan2(static_cast<double>(value.direction.y), static_cast<double>(value.direction.x)) /
-                         (2.0 * std::numbers::pi);
-    const int degrees = static_cast<int>(std::lround((turns - std::floor(turns)) * 360.0)) % 360;
-    //: An angle in degrees, and how flat hair lies, in per cent.
-    return TexelWords::tr("%1°, %2 % flat").arg(degrees).arg(percent);
 }
 
 constexpr std::array kOps{

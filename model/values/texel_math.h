@@ -12,6 +12,7 @@ namespace hairpaint::model {
 
 /// An index replaces where coverage * opacity is at least this.
 inline constexpr std::uint16_t kHalfCoverage = 32768;
+inline constexpr float kFull16 = 65535.0F; ///< A channel of 1.
 
 /// round(a * b / 65535), exactly.
 [[nodiscard]] constexpr std::uint16_t mul16(std::uint32_t a, std::uint32_t b)
@@ -30,7 +31,7 @@ inline constexpr std::uint16_t kHalfCoverage = 32768;
 /// 0..1 as 0..65535, to the nearest.
 [[nodiscard]] inline std::uint16_t unit16(float value)
 {
-    return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 65535.0F));
+    return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * kFull16));
 }
 
 /// 16 bits as 8, and 8 as 16.
@@ -41,6 +42,12 @@ inline constexpr std::uint16_t kHalfCoverage = 32768;
 [[nodiscard]] constexpr std::uint16_t widened(int channel)
 {
     return static_cast<std::uint16_t>(channel * 257);
+}
+
+/// The mean of red, green and blue, to the nearest.
+[[nodiscard]] inline std::uint16_t greyOf(const sim::Texel& rgba)
+{
+    return static_cast<std::uint16_t>((rgba[0] + rgba[1] + rgba[2] + 1) / 3);
 }
 
 } // namespace hairpaint::model

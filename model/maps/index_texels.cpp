@@ -1,0 +1,117 @@
+// Numbers of a palette's entries, which are chosen and never mixed.
+#include "model/maps/index_texels.h"
+
+#include "model/maps/map_colours.h"
+#include "model/values/texel_math.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr sim::Texel kNight{0, 0, 0, 0};
+constexpr sim::Texel kPaper{65535, 65535, 65535, 0};
+
+} // namespace
+
+void layIndices(std::uint16_t* layer, const std::uint16_t* mask, const TilePaint& paint)
+{
+    for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel) {
+        if (mask[texel] < kHalfCoverage)
+            continue;
+        layer[texel * 2] = paint.values != nullptr ? paint.values[texel] : paint.value[0];
+        layer[texel * 2 + 1] = 65535;
+    }
+}
+
+void eraseIndices(const MapSpec& spec, std::uint16_t* layer, const std::uint16_t* mask, std::uint16_t /*opacity*/)
+{
+    for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel) {
+        if (mask[texel] < kHalfCoverage)
+            continue;
+        layer[texel * 2] = spec.defaultValue[0];
+        layer[texel * 2 + 1] = 0;
+    }
+}
+
+void blendIndices(BlendMode /*mode*/, const std::uint16_t* layer, std::size_t layerStep, std::uint16_t opacity,
+                  std::uint16_t* map, std::size_t count)
+{
+    for (std::size_t texel = 0; texel < count; ++texel) {
+        const std::uint16_t* source = layer + texel * layerStep;
+        map[texel] = mul16(source[1], opacity) >= kHalfCoverage ? source[0] : map[texel];
+    }
+}
+
+void chooseIndices(const sim::Texel& first, const sim::Texel& second, std::span<const std::uint16_t> fractions,
+                   std::uint16_t* values)
+{
+    for (const std::uint16_t fraction : fractions)
+        *values++ = (fraction < kHalfCoverage ? first : second)[0];
+}
+
+/// An index of 0, or of no entry, is the paper.
+void indicesToColours(const MapSpec& spec, bool nightPaper, const std::uint16_t* values, std::size_t step,
+                      std::size_t count, std::uint16_t* colours)
+{
+    for (std::size_t texel = 0; texel < count; ++texel) {
+        const std::size_t index = values[texel * step];
+        sim::Texel rgb = nightPaper ? kNight : kPaper;
+        if (index > 0 && index < spec.palette.size()) {
+            const QRgb colour = spec.palette[index].colour;
+            rgb = {widened(qRed(colour)), widened(qGreen(colour)), widened(qBlue(colour)), 0};
+        }
+        colours = std::copy_n(rgb.begin(), 3, colours);
+    }
+}
+
+void indicesFromColours(const MapSpec& spec, std::span<sim::Texel> texels)
+{
+    for (sim::Texel& texel : texels)
+        texel = {colourToIndex(spec, static_cast<float>(texel[0]) / kFull16, static_cast<float>(texel[1]) / kFull16,
+                               static_cast<float>(texel[2]) / kFull16),
+                 texel[3], 0, 0};
+}
+
+/// A grey of 0..1 spread over the palette's entries.
+void indicesToGreys(const MapSpec& spec, const std::uint16_t* values, std::size_t step, std::size_t count,
+                    std::uint16_t* greys)
+{
+    const auto last = static_cast<std::uint32_t>(spec.palette.size() - 1);
+    for (std::size_t texel = 0; texel < count; ++texel)
+        greys[texel] = static_cast<std::uint16_t>(std::min<std::uint32_t>(values[texel * step], last) * 65535U / last);
+}
+
+void indicesFromGreys(const MapSpec& spec, std::span<sim::Texel> texels)
+{
+    const auto last = static_cast<float>(spec.palette.size() - 1);
+    for (sim::Texel& texel : texels)
+        texel = {static_cast<std::uint16_t>(std::lround(static_cast<float>(greyOf(texel)) / kFull16 * last)), texel[3],
+                 0, 0};
+}
+
+PaintValue indexOfTexel(const sim::Texel& texel)
+{
+    return {.index = texel[0]};
+}
+
+sim::Texel texelOfIndex(const PaintValue& value)
+{
+    return {static_cast<std::uint16_t>(value.index), 0, 0, 0};
+}
+
+QString indexText(const sim::GroupSettings& /*settings*/, const MapSpec& spec, const PaintValue& value)
+{
+    const auto index = static_cast<std::size_t>(std::max(value.index, 0));
+    return index < spec.palette.size() ? spec.palette[index].titleText() : QString::number(value.index);
+}
+
+std::uint16_t lastOfPalette(const MapSpec& spec)
+{
+    return static_cast<std::uint16_t>(spec.palette.size() - 1);
+}
+
+} // namespace hairpaint::model
