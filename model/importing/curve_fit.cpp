@@ -128,6 +128,21 @@ private:
     std::vector<glm::vec3> m_roots;
 };
 
+/// In which curves may be told: as the user says, else as the file does, else all that are usual.
+struct Spaces
+{
+    Spaces(const ForeignCurves& curves, const CurveSpaceChoice& choice)
+    {
+        if (const std::optional<UpAxis> axis = choice.upAxis ? choice.upAxis : curves.upAxis)
+            axes = {*axis};
+        if (const std::optional<float> unit = choice.metresPerUnit ? choice.metresPerUnit : curves.metresPerUnit)
+            units = {*unit};
+    }
+
+    std::vector<UpAxis> axes{UpAxis::Y, UpAxis::Z};
+    std::vector<float> units{kUsualUnits.begin(), kUsualUnits.end()}; ///< Metres.
+};
+
 } // namespace
 
 std::optional<CurveTransform> fitCurves(const ForeignCurves& curves, const CurveSpaceChoice& choice,
@@ -136,13 +151,7 @@ std::optional<CurveTransform> fitCurves(const ForeignCurves& curves, const Curve
     const RootFit fit(curves, skin);
     if (fit.empty())
         return std::nullopt;
-    const std::optional<float> unit = choice.metresPerUnit ? choice.metresPerUnit : curves.metresPerUnit;
-    const std::optional<UpAxis> axis = choice.upAxis ? choice.upAxis : curves.upAxis;
-    const std::vector<UpAxis> axes = axis ? std::vector{*axis} : std::vector{UpAxis::Y, UpAxis::Z};
-    std::vector<float> units(kUsualUnits.begin(), kUsualUnits.end());
-    if (unit)
-        units = {*unit};
-
+    const Spaces spaces(curves, choice);
     float leastM = kOnSkinM;
     std::optional<CurveTransform> best;
     const auto take = [&](const CurveTransform& transform) {
@@ -152,12 +161,12 @@ std::optional<CurveTransform> fitCurves(const ForeignCurves& curves, const Curve
             best = transform;
         }
     };
-    for (const UpAxis up : axes)
-        for (const float metres : units)
+    for (const UpAxis up : spaces.axes)
+        for (const float metres : spaces.units)
             take({.rotation = uprightFrom(up), .scaleM = metres});
     if (best || choice.metresPerUnit) // What the user tells counts.
         return best;
-    for (const UpAxis up : axes)
+    for (const UpAxis up : spaces.axes)
         for (int turns = 0; turns < 4; ++turns)
             take(fit.fitted(quarterTurns(turns) * uprightFrom(up)));
     return best;
@@ -169,16 +178,11 @@ void turnTipFirst(ForeignCurves& curves, const CurveSpaceChoice& choice, const s
     const RootFit tips(curves, skin, true);
     if (roots.empty())
         return;
-    const std::optional<float> unit = choice.metresPerUnit ? choice.metresPerUnit : curves.metresPerUnit;
-    const std::optional<UpAxis> axis = choice.upAxis ? choice.upAxis : curves.upAxis;
-    const std::vector<UpAxis> axes = axis ? std::vector{*axis} : std::vector{UpAxis::Y, UpAxis::Z};
-    std::vector<float> units(kUsualUnits.begin(), kUsualUnits.end());
-    if (unit)
-        units = {*unit};
+    const Spaces spaces(curves, choice);
     float rootsM = std::numeric_limits<float>::max();
     float tipsM = std::numeric_limits<float>::max();
-    for (const UpAxis up : axes)
-        for (const float metres : units) {
+    for (const UpAxis up : spaces.axes)
+        for (const float metres : spaces.units) {
             const CurveTransform transform{.rotation = uprightFrom(up), .scaleM = metres};
             rootsM = std::min(rootsM, roots.distanceM(transform));
             tipsM = std::min(tipsM, tips.distanceM(transform));
