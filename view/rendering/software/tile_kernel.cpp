@@ -6,6 +6,8 @@
 #include <hwy/foreach_target.h>
 // After foreach_target.
 #include "view/rendering/light/lanes_inl.h"
+#include "view/rendering/software/sample_pair_inl.h"
+#include "view/rendering/software/tile_canvas_inl.h"
 #include <algorithm>
 #include <cmath>
 #include <hwy/cache_control.h>
@@ -17,8 +19,6 @@ namespace hairpaint::rendering::HWY_NAMESPACE {
 
 /// Hair that lies flat dips into the skin here and there; it is shown all the same.
 constexpr float kSkinDepthM = 0.015F;
-
-constexpr unsigned kCellSamples = kCellSp * kCellSp;
 
 /// Colour from 10 bits each, linear; the fourth is -1, so that adding it takes from what is left to see through.
 HWY_INLINE Quad colourOf(std::uint32_t bits)
@@ -76,158 +76,12 @@ HWY_INLINE Walk walkOf(const TileTask& task, const ScreenSegment& segment)
     return walk;
 }
 
-/// What layOne() works on.
-struct Canvas
-{
-    const TileTask& task;
-    TileSamples& samples;
-    int openCells; ///< Cells of the tile that are not known to be opaque.
-};
-
-/// Whether all of a cell is opaque. What was opaque stays so, so that no sample is asked about twice once it is.
-HWY_INLINE bool isOpaque(Canvas& canvas, unsigned cellX, unsigned cellY)
-{
-    std::uint8_t& firstOpen = canvas.samples.firstOpen[cellY][cellX];
-    if (firstOpen == kCellSamples)
-        return true;
-    const float* light = canvas.samples.light.data() + 4UL * ((cellY * kCellSp + 1) * kTileRow + cellX * kCellSp + 1);
-    for (unsigned n = firstOpen; n < kCellSamples; ++n)
-        if (light[4 * (n / kCellSp * kTileRow + n % kCellSp) + 3] >= canvas.task.opaque) {
-            firstOpen = static_cast<std::uint8_t>(n);
-            return false;
-        }
-    firstOpen = kCellSamples;
-    --canvas.openCells;
-    return true;
-}
-
-/// Part of a strand's cover that counts where the head may lie in front.
-HWY_INLINE float coverBeforeHead(const Canvas& canvas, int x, int y, float depth, float cover)
-{
-    if (depth <= canvas.samples.headDepth[static_cast<std::size_t>(inTile(x, y))])
-        return cover;
-    if (x < 0 || y < 0 || x >= canvas.task.width || y >= canvas.task.height)
-        return 0.0F;
-    const std::size_t at = static_cast<std::size_t>(y) * canvas.task.headStride + static_cast<std::size_t>(x);
-    return cover * (1.0F - static_cast<float>(canvas.task.head[at].cover) * (1.0F / 65535.0F));
-}
-
 /// What a walk's values are at a position along its main direction, and how they go on from sample to sample.
 struct Pace
 {
     float middle, width, depth;
     Quad colour;
 };
-
-/// Whether all cells that the walk may touch between two positions along its main direction are opaque.
-template<bool kSteep>
-HWY_INLINE bool isClosed(Canvas& canvas, unsigned cell, float from, float to, float reach)
-{
-    const float low = std::min(from, to) - reach;
-    const float high = std::max(from, to) + reach;
-    if (!(high > 0.0F && low < static_cast<float>(kTileSp)))
-        return true;
-    constexpr auto kLast = static_cast<float>(kTileSp - 1);
-    const unsigned first = static_cast<unsigned>(static_cast<int>(std::max(low, 0.0F))) / kCellSp;
-    const unsigned last = static_cast<unsigned>(static_cast<int>(std::min(high, kLast))) / kCellSp;
-    for (unsigned c = first; c <= last; ++c)
-        if (!isOpaque(canvas, kSteep ? c : cell, kSteep ? cell : c))
-            return false;
-    return true;
-}
-
-/// Two samples beside each other.
-#if HWY_MAX_BYTES >= 32 && HWY_TARGET != HWY_SCALAR
-struct Pair
-{
-    hn::Vec<hn::FixedTag<float, 8>> v;
-};
-HWY_INLINE Pair pairOf(Quad first, Quad second)
-{
-    return {hn::Combine(hn::FixedTag<float, 8>(), second.v, first.v)};
-}
-template<bool kAdjacent>
-HWY_INLINE Pair loadedPair(const float* first, const float* second)
-{
-    if constexpr (kAdjacent)
-        return {hn::LoadU(hn::FixedTag<float, 8>(), first)};
-    else
-        return pairOf(quadOf(first), quadOf(second));
-}
-template<bool kAdjacent>
-HWY_INLINE void storedPair(Pair pair, float* first, float* second)
-{
-    if constexpr (kAdjacent) {
-        hn::StoreU(pair.v, hn::FixedTag<float, 8>(), first);
-    } else {
-        stored(Quad{hn::LowerHalf(QuadTag(), pair.v)}, first);
-        stored(Quad{hn::UpperHalf(QuadTag(), pair.v)}, second);
-    }
-}
-HWY_INLINE Pair operator+(Pair a, Pair b)
-{
-    return {hn::Add(a.v, b.v)};
-}
-HWY_INLINE Pair operator*(Pair a, Pair b)
-{
-    return {hn::Mul(a.v, b.v)};
-}
-/// The fourth of each in all four.
-HWY_INLINE Pair fourths(Pair a)
-{
-    return {hn::Broadcast<3>(a.v)};
-}
-/// Each of two floats in all four of one. Reads eight.
-HWY_INLINE Pair spread(const float* two)
-{
-    HWY_ALIGN static constexpr std::int32_t kFirstThenSecond[8] = {0, 0, 0, 0, 1, 1, 1, 1};
-    const hn::FixedTag<float, 8> d;
-    return {hn::TableLookupLanes(hn::LoadU(d, two), hn::SetTableIndices(d, kFirstThenSecond))};
-}
-#else
-struct Pair
-{
-    Quad first, second;
-};
-HWY_INLINE Pair pairOf(Quad first, Quad second)
-{
-    return {first, second};
-}
-template<bool kAdjacent>
-HWY_INLINE Pair loadedPair(const float* first, const float* second)
-{
-    return {quadOf(first), quadOf(second)};
-}
-template<bool kAdjacent>
-HWY_INLINE void storedPair(const Pair& pair, float* first, float* second)
-{
-    stored(pair.first, first);
-    stored(pair.second, second);
-}
-HWY_INLINE Pair operator+(const Pair& a, const Pair& b)
-{
-    return {a.first + b.first, a.second + b.second};
-}
-HWY_INLINE Pair operator*(const Pair& a, const Pair& b)
-{
-    return {a.first * b.first, a.second * b.second};
-}
-HWY_INLINE Pair spread(const float* two)
-{
-    return {quadOf(two[0]), quadOf(two[1])};
-}
-#if HWY_TARGET == HWY_SCALAR
-HWY_INLINE Pair fourths(const Pair& a)
-{
-    return {quadOf(a.first.v[3]), quadOf(a.second.v[3])};
-}
-#else
-HWY_INLINE Pair fourths(const Pair& a)
-{
-    return {{hn::Broadcast<3>(a.first.v)}, {hn::Broadcast<3>(a.second.v)}};
-}
-#endif
-#endif
 
 /// Steps of a strand that is thinner than a sample, within a tile: a tent over the two samples that are nearest.
 struct ThinSteps
