@@ -29,6 +29,25 @@ private:
         return sim::directionOf(map(model::MapKind::Direction)->sampleNearest(uv));
     }
     [[nodiscard]] QAction& action(const char* id) { return *m_window->actions().find(QLatin1StringView(id)); }
+    [[nodiscard]] view::CutDialog* cutDialog() { return m_window->findChild<view::CutDialog*>(); }
+    void openCut(const char* command)
+    {
+        action(command).trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(cutDialog() != nullptr, kPatienceMs);
+    }
+    void pressInCut(const QString& text)
+    {
+        for (QPushButton* button : cutDialog()->findChildren<QPushButton*>())
+            if (button->text() == text)
+                return QTest::mouseClick(button, Qt::LeftButton);
+        QFAIL(qPrintable(text));
+    }
+    /// Cut or Cancel.
+    void endCut(const QString& button)
+    {
+        pressInCut(button);
+        QTRY_VERIFY_WITH_TIMEOUT(cutDialog() == nullptr, kPatienceMs);
+    }
 
 private Q_SLOTS:
     void initTestCase() { prepareApplication(); }
@@ -144,33 +163,22 @@ private Q_SLOTS:
     {
         openWithStyle("bob");
         const auto length = map(model::MapKind::Length);
-        const auto dialog = [this] { return m_window->findChild<view::CutDialog*>(); };
-        const auto press = [&](const QString& text) {
-            for (QPushButton* button : dialog()->findChildren<QPushButton*>())
-                if (button->text() == text)
-                    return QTest::mouseClick(button, Qt::LeftButton);
-            QFAIL(qPrintable(text));
-        };
-        action("hair.cutToLevel").trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, kPatienceMs);
+        openCut("hair.cutToLevel");
         QVERIFY(*map(model::MapKind::Length) == *length); // As it opens nothing hangs lower.
-        press(QStringLiteral("Ears"));
+        pressInCut(QStringLiteral("Ears"));
         const auto preview = map(model::MapKind::Length);
         QVERIFY(!(*preview == *length));
-        press(QStringLiteral("Cancel"));
+        endCut(QStringLiteral("Cancel"));
         QVERIFY(*map(model::MapKind::Length) == *length);
         QCOMPARE(stack().count(), 0);
-        QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatienceMs);
 
-        action("hair.cutToLevel").trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, kPatienceMs);
-        press(QStringLiteral("Ears"));
+        openCut("hair.cutToLevel");
+        pressInCut(QStringLiteral("Ears"));
         const auto shown = map(model::MapKind::Length);
-        press(QStringLiteral("Cut"));
+        endCut(QStringLiteral("Cut"));
         QCOMPARE(stack().count(), 1);
         QCOMPARE(stack().undoText(), QStringLiteral("Cut hair to a level"));
         QVERIFY(*map(model::MapKind::Length) == *shown);
-        QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatienceMs);
         session().document().undo();
         QVERIFY(*map(model::MapKind::Length) == *length);
     }
@@ -201,26 +209,17 @@ private Q_SLOTS:
             return sum;
         };
         const double before = mean();
-        const auto dialog = [this] { return m_window->findChild<view::CutDialog*>(); };
-        const auto press = [&](const QString& text) {
-            for (QPushButton* button : dialog()->findChildren<QPushButton*>())
-                if (button->text() == text)
-                    return QTest::mouseClick(button, Qt::LeftButton);
-            QFAIL(qPrintable(text));
-        };
         for (const bool keeps : {false, true}) {
-            action(command.constData()).trigger();
-            QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, kPatienceMs);
+            openCut(command.constData());
             // As it opens it cuts; the first slider, by key, cuts otherwise.
             const double opened = mean();
             QVERIFY(opened < before);
-            auto* slider = dialog()->findChild<view::BarSlider*>();
+            auto* slider = cutDialog()->findChild<view::BarSlider*>();
             slider->setFocus();
             QTest::keyClick(slider, Qt::Key_Left);
             const auto shown = map(model::MapKind::Length);
             QVERIFY(mean() != opened);
-            press(keeps ? QStringLiteral("Cut") : QStringLiteral("Cancel"));
-            QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatienceMs);
+            endCut(keeps ? QStringLiteral("Cut") : QStringLiteral("Cancel"));
             QVERIFY(*map(model::MapKind::Length) == (keeps ? *shown : *length));
             QCOMPARE(stack().count(), keeps ? 1 : 0);
         }
