@@ -5,6 +5,7 @@
 #include "tests/app/thin_project.h"
 #include "tests/support/test_program.h"
 
+#include <QDir>
 #include <QJsonArray>
 #include <QtTest>
 
@@ -171,6 +172,50 @@ private Q_SLOTS:
         QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
         QVERIFY2(outcome.error.contains(QStringLiteral("'Beard'")), qPrintable(outcome.error));
         QVERIFY(!QFile::exists(m_folder.path("none.hairpaint")));
+    }
+
+    void aFolderOfImagesGoesToTheMapsThatTheirNamesTell()
+    {
+        const QDir folder(m_folder.path("maps"));
+        QVERIFY(folder.mkpath(QStringLiteral(".")));
+        const QString bald = m_folder.filled("bald.png", Qt::white);
+        QVERIFY(!m_folder.filled("maps/head_density.0001.png", Qt::green).isEmpty());
+        QVERIFY(!m_folder.filled("maps/Scalp-length.png", QColor(128, 128, 128)).isEmpty());
+        QVERIFY(!m_folder.filled("maps/holiday.png", Qt::red).isEmpty()); // Of no map: left out.
+        const QString project = m_folder.path("of_folder.hairpaint");
+        QCOMPARE(make(project, {QStringLiteral("--maps"), folder.path()}), QString());
+        const auto layersOf = [&project](model::MapKind kind) {
+            QStringList names;
+            const model::Result<model::Project> read = model::loadProject(project);
+            for (const model::Layer& layer : read ? read->groups.front().map(kind).layers : std::vector<model::Layer>())
+                names += layer.name;
+            return names;
+        };
+        QCOMPARE(layersOf(model::MapKind::Density), QStringList{QStringLiteral("head_density")});
+        QCOMPARE(layersOf(model::MapKind::Length), QStringList{QStringLiteral("Scalp-length")});
+        QVERIFY(!layersOf(model::MapKind::Colour).contains(QStringLiteral("holiday")));
+        QVERIFY(hairsOf(infoOf(project)) > 50'000);
+        // One that is named by itself counts more.
+        QCOMPARE(make(project, {QStringLiteral("--map"), QStringLiteral("density=") + bald, QStringLiteral("--maps"),
+                                folder.path()}),
+                 QString());
+        QCOMPARE(layersOf(model::MapKind::Density), QStringList{QStringLiteral("bald")});
+        QCOMPARE(layersOf(model::MapKind::Length), QStringList{QStringLiteral("Scalp-length")});
+        QCOMPARE(hairsOf(infoOf(project)), 0);
+    }
+
+    void aFolderWithoutImagesOfMapsFails()
+    {
+        const QDir folder(m_folder.path("holidays"));
+        QVERIFY(folder.mkpath(QStringLiteral(".")));
+        QVERIFY(!m_folder.filled("holidays/beach.png", Qt::yellow).isEmpty());
+        const QString project = m_folder.path("of_holidays.hairpaint");
+        const Outcome outcome =
+            runProgram({QStringLiteral("new"), QStringLiteral("-o"), project, QStringLiteral("--maps"), folder.path()});
+        QCOMPARE(outcome.code, 1);
+        QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
+        QVERIFY2(outcome.error.contains(QStringLiteral("holidays")), qPrintable(outcome.error));
+        QVERIFY(!QFile::exists(project));
     }
 };
 
