@@ -167,8 +167,8 @@
         <translation>un estilo de la biblioteca</translation>
     </message>
     <message>
-        <source>an image as a map, by its colours, or by its brightness with :grey</source>
-        <translation>una imagen como mapa, por sus colores o, con :grey, por su brillo</translation>
+        <source>an image as a map: a grey one by its brightness, one in colours by the scale of the map; with :grey by its brightness in any case</source>
+        <translation>una imagen como mapa: si es gris, por su brillo; si tiene colores, por la escala del mapa; con :grey, siempre por su brillo</translation>
     </message>
     <message>
         <source>another drawing of the roots; 1 unless given</source>
@@ -6411,26 +6411,6 @@ Se ha perdido esto:</translation>
         <source>Upright</source>
         <translation>De pie</translation>
     </message>
-    <message>
-        <source>Melanin</source>
-        <translation>Melanina</translation>
-    </message>
-    <message>
-        <source>The pigment of hair that is not dyed: from white to black</source>
-        <translation>El pigmento del pelo sin teñir: de blanco a negro</translation>
-    </message>
-    <message>
-        <source>Redness</source>
-        <translation>Rojez</translation>
-    </message>
-    <message>
-        <source>How much of the pigment is the red one</source>
-        <translation>Qué parte del pigmento es la rojiza</translation>
-    </message>
-    <message>
-        <source>“%1” is no colour; type six digits of 0–9 and A–F, such as %2, or rgb(26, 43, 60).</source>
-        <translation>«%1» no es un color; escribe seis cifras de 0–9 y A–F, como %2, o rgb(26, 43, 60).</translation>
-    </message>
 </context>
 <context>
     <name>hairpaint::view::ViewSigns</name>
@@ -6602,6 +6582,32 @@ Se ha perdido esto:</translation>
     <message>
         <source>How far hair is wound about the tie</source>
         <translation>Hasta dónde se enrolla el pelo alrededor del coletero</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::MelaninSliders</name>
+    <message>
+        <source>Melanin</source>
+        <translation>Melanina</translation>
+    </message>
+    <message>
+        <source>The pigment of hair that is not dyed: from white to black</source>
+        <translation>El pigmento del pelo sin teñir: de blanco a negro</translation>
+    </message>
+    <message>
+        <source>Redness</source>
+        <translation>Rojez</translation>
+    </message>
+    <message>
+        <source>How much of the pigment is the red one</source>
+        <translation>Qué parte del pigmento es la rojiza</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::HexField</name>
+    <message>
+        <source>“%1” is no colour; type six digits of 0–9 and A–F, such as %2, or rgb(26, 43, 60).</source>
+        <translation>«%1» no es un color; escribe seis cifras de 0–9 y A–F, como %2, o rgb(26, 43, 60).</translation>
     </message>
 </context>
 </TS>

@@ -45,6 +45,7 @@ MapTableDialog::MapTableDialog(const std::vector<ImageForMap>& images, const QSt
         grid->addWidget(row.map, line++, 2);
         m_rows.push_back(row);
     }
+    grid->setRowStretch(line, 1); // Few rows stand together at the top.
     auto* scroll = new QScrollArea(this);
     scroll->setWidget(table);
     scroll->setWidgetResizable(true);

@@ -2,15 +2,15 @@
 #include "view/widgets/value_palette.h"
 
 #include "model/maps/texel_ops.h"
-#include "view/look/colour_text.h"
 #include "view/look/theme.h"
 #include "view/look/value_text.h"
 #include "view/widgets/action_button.h"
 #include "view/widgets/bar_slider.h"
-#include "view/widgets/field_hint.h"
 #include "view/widgets/hair_colours.h"
+#include "view/widgets/hex_field.h"
 #include "view/widgets/map_badge.h"
-#include "view/widgets/melanin.h"
+#include "view/widgets/melanin_sliders.h"
+#include "view/widgets/scale_steps.h"
 #include "view/widgets/swatch.h"
 #include "view/widgets/tool_setting_slider.h"
 #include "view/widgets/value_pair.h"
@@ -20,7 +20,6 @@
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
 #include <QScreen>
@@ -40,36 +39,9 @@ using model::PaintValue;
 namespace {
 
 constexpr int kColourColumns = 10;
-constexpr int kScalarSwatches = 7;
 constexpr double kPercents = 100.0;
 constexpr double kDegrees = 180.0 / std::numbers::pi; ///< A radian.
 constexpr double kWholeTurnDeg = 360.0;
-
-/// Round numbers of the map's own unit from nothing to the greatest value.
-std::vector<double> roundSteps(const sim::GroupSettings& settings, MapKind map)
-{
-    if (const auto offered = model::mapSpec(map).scale->steps)
-        if (const std::span<const double> steps = offered(settings); !steps.empty())
-            return {steps.begin(), steps.end()};
-    const ValueUnit unit = valueUnit(settings, map);
-    const double range = unit.maximum - unit.minimum;
-    std::vector<double> steps{unit.minimum};
-    const double rough = range / (kScalarSwatches - 1);
-    const double power = std::pow(10.0, std::floor(std::log10(std::max(rough, 1e-6))));
-    double step = power * 10.0;
-    for (const double nice : {1.0, 2.0, 2.5, 5.0}) {
-        if (power * nice >= rough * 0.999) {
-            step = power * nice;
-            break;
-        }
-    }
-    const double first = std::floor(unit.minimum / step) + 1.0;
-    const int count = static_cast<int>(std::ceil(unit.maximum / step - 0.4 - first));
-    for (int i = 0; i < count; ++i)
-        steps.push_back((first + i) * step);
-    steps.push_back(unit.maximum);
-    return steps;
-}
 
 /// 0..360, from the map's right against the clock.
 double angleDeg(glm::vec2 direction)
@@ -127,7 +99,6 @@ void ValuePalette::rebuild()
     m_angle = nullptr;
     m_flatness = nullptr;
     m_melanin = nullptr;
-    m_redness = nullptr;
     m_hex = nullptr;
     m_body = new QWidget(this);
     auto* column = new QVBoxLayout(m_body);
@@ -193,9 +164,9 @@ void ValuePalette::refresh()
         m_flatness->setValue(kPercents * static_cast<double>(glm::length(value.direction)));
     }
     if (m_melanin != nullptr)
-        showMelanin(value.colour);
-    if (m_hex != nullptr && !(window()->focusWidget() == m_hex && m_hex->isModified()))
-        m_hex->setText(value.colour.name());
+        m_melanin->showColour(value.colour);
+    if (m_hex != nullptr)
+        m_hex->showColour(value.colour);
 }
 
 void ValuePalette::setSecond(bool second)
@@ -359,20 +330,22 @@ void ValuePalette::buildColour(QVBoxLayout& layout)
         ++line;
     }
     layout.addLayout(grid);
-    buildMelanin(layout);
+    const MapKind map = m_state.target().map();
+    m_melanin = new MelaninSliders(
+        m_state,
+        [this, map](model::ToolSettings& settings, const QColor& colour) { edited(settings, map).colour = colour; },
+        m_body);
+    layout.addWidget(m_melanin);
     auto* row = new QHBoxLayout;
     row->setSpacing(metrics::kGap);
     auto* label = new QLabel(tr("&Hex"), m_body);
-    m_hex = new QLineEdit(m_body);
-    m_hex->setMaxLength(40); // What other programs put into the clipboard.
-    m_hex->setFixedWidth(88);
+    m_hex = new HexField(m_body);
     label->setBuddy(m_hex);
-    connect(m_hex, &QLineEdit::textEdited, this, [this] {
-        markRefused(*m_hex, false);
-        FieldHint::hideAt(*m_hex);
+    connect(m_hex, &HexField::colourTyped, this, [this](const QColor& colour) {
+        PaintValue value = edited(m_state.target().map());
+        value.colour = colour;
+        setValue(value);
     });
-    connect(m_hex, &QLineEdit::returnPressed, this, [this] { takeHex(true); });
-    m_hex->installEventFilter(this); // editingFinished is not told again after Enter.
     auto* custom = new QPushButton(tr("Custom…"), m_body);
     connect(custom, &QPushButton::clicked, this, &ValuePalette::chooseColour);
     row->addWidget(label);
@@ -380,82 +353,6 @@ void ValuePalette::buildColour(QVBoxLayout& layout)
     row->addStretch(1);
     row->addWidget(custom);
     layout.addLayout(row);
-}
-
-bool ValuePalette::eventFilter(QObject* watched, QEvent* event)
-{
-    if (watched == m_hex && event->type() == QEvent::FocusOut) {
-        const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
-        if (reason != Qt::PopupFocusReason && reason != Qt::ActiveWindowFocusReason)
-            takeHex(false);
-    }
-    return QWidget::eventFilter(watched, event);
-}
-
-void ValuePalette::takeHex(bool stays)
-{
-    if (!m_hex->isModified())
-        return;
-    const QString text = m_hex->text().trimmed();
-    if (const std::optional<QColor> colour = colourFromText(text)) {
-        PaintValue value = edited(m_state.target().map());
-        value.colour = *colour;
-        m_hex->setModified(false);
-        setValue(value);
-        m_hex->setText(value.colour.name());
-        return;
-    }
-    const QString sentence = tr("“%1” is no colour; type six digits of 0–9 and A–F, such as %2, or rgb(26, 43, 60).")
-                                 .arg(text, edited(m_state.target().map()).colour.name());
-    markRefused(*m_hex, stays);
-    if (!stays) // The colour painted is shown again.
-        m_hex->setText(edited(m_state.target().map()).colour.name());
-    if (m_hex->isVisible())
-        FieldHint::showAt(*m_hex, sentence, FieldHint::Tone::Problem);
-}
-
-void ValuePalette::buildMelanin(QVBoxLayout& layout)
-{
-    const auto slider = [&](const QString& label, const QString& hint) {
-        auto* made = new BarSlider(label, m_body);
-        made->setRange(0.0, kPercents);
-        made->setUnit(QStringLiteral("%"));
-        made->setHint(hint);
-        layout.addWidget(made);
-        bindToolSettings(*made, m_state,
-                         [this, map = m_state.target().map()](model::ToolSettings& settings, double /*shown*/) {
-                             edited(settings, map).colour = melaninColour(shownMelanin());
-                         });
-        return made;
-    };
-    m_melanin = slider(tr("Melanin"), tr("The pigment of hair that is not dyed: from white to black"));
-    m_redness = slider(tr("Redness"), tr("How much of the pigment is the red one"));
-}
-
-Melanin ValuePalette::shownMelanin() const
-{
-    return {.amount = m_melanin->value() / kPercents, .redness = m_redness->value() / kPercents};
-}
-
-/// The natural colour nearest to `colour`; sliders that stand for it already stay.
-void ValuePalette::showMelanin(const QColor& colour)
-{
-    if (melaninColour(shownMelanin()).rgb() != colour.rgb()) {
-        const Melanin nearest = nearestMelanin(colour);
-        m_melanin->setValue(kPercents * nearest.amount);
-        m_redness->setValue(kPercents * nearest.redness);
-    }
-    const Melanin shown = shownMelanin();
-    QList<QColor> darker;
-    QList<QColor> redder;
-    constexpr int kSteps = 17;
-    for (int i = 0; i < kSteps; ++i) {
-        const double along = static_cast<double>(i) / (kSteps - 1);
-        darker.append(melaninColour({.amount = along, .redness = shown.redness}));
-        redder.append(melaninColour({.amount = shown.amount, .redness = along}));
-    }
-    m_melanin->setGradient(darker);
-    m_redness->setGradient(redder);
 }
 
 void ValuePalette::chooseColour()

@@ -6,14 +6,14 @@
 #include <QWidget>
 
 class QLabel;
-class QLineEdit;
 class QVBoxLayout;
 
 namespace hairpaint::view {
 
 class BarSlider;
+class HexField;
+class MelaninSliders;
 class Swatch;
-struct Melanin;
 
 /// Follows the active map and group and edits the value that is painted, or the second one. Also keys: X swaps the two,
 /// D resets both.
@@ -32,7 +32,6 @@ Q_SIGNALS:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void rebuild();
@@ -43,11 +42,6 @@ private:
     void buildScalar(QVBoxLayout& layout);
     void buildIndex(QVBoxLayout& layout);
     void buildColour(QVBoxLayout& layout);
-    /// Paints with the colour that is typed; where it is none, says so and leaves it there to be mended where `stays`.
-    void takeHex(bool stays);
-    void buildMelanin(QVBoxLayout& layout);
-    [[nodiscard]] Melanin shownMelanin() const;
-    void showMelanin(const QColor& colour);
     void buildVector(QVBoxLayout& layout);
     void chooseColour();
     Swatch* addSwatch(const model::PaintValue& value, const QString& name);
@@ -58,10 +52,9 @@ private:
     BarSlider* m_slider = nullptr;
     BarSlider* m_angle = nullptr; ///< Of a vector, degrees.
     BarSlider* m_flatness = nullptr;
-    BarSlider* m_melanin = nullptr; ///< Of a colour that hair grows in, percent.
-    BarSlider* m_redness = nullptr;
+    MelaninSliders* m_melanin = nullptr;
     QLabel* m_title = nullptr;
-    QLineEdit* m_hex = nullptr;
+    HexField* m_hex = nullptr;
     std::vector<std::pair<Swatch*, model::PaintValue>> m_swatches;
     QString m_builtFor; ///< Map and units that the swatches stand for.
 };
