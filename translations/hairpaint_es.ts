@@ -5085,26 +5085,6 @@ Se ha perdido esto:</translation>
         <translation>Quitar grupo de pelo (Suprimir)</translation>
     </message>
     <message>
-        <source>Shape</source>
-        <translation>Forma</translation>
-    </message>
-    <message>
-        <source>Braids</source>
-        <translation>Trenzas</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>Movimiento</translation>
-    </message>
-    <message>
-        <source>Look</source>
-        <translation>Aspecto</translation>
-    </message>
-    <message>
-        <source>%1 of &quot;%2&quot;</source>
-        <translation>%1 de «%2»</translation>
-    </message>
-    <message>
         <source>%1, hidden</source>
         <translation>%1, oculto</translation>
     </message>
@@ -5115,42 +5095,6 @@ Se ha perdido esto:</translation>
     <message>
         <source>What grows?</source>
         <translation>¿Qué crece?</translation>
-    </message>
-    <message>
-        <source>What was painted on %1 beyond %2 is %2 now; undo brings it back.</source>
-        <translation>Lo pintado en %1 por encima de %2 es ahora %2; deshacer lo devuelve.</translation>
-    </message>
-    <message>
-        <source>What was painted on %1 below %2 is %2 now; undo brings it back.</source>
-        <translation>Lo pintado en %1 por debajo de %2 es ahora %2; deshacer lo devuelve.</translation>
-    </message>
-    <message>
-        <source>Variation</source>
-        <translation>Variación</translation>
-    </message>
-    <message>
-        <source>Curl</source>
-        <translation>Rizo</translation>
-    </message>
-    <message>
-        <source>Locks</source>
-        <translation>Mechones</translation>
-    </message>
-    <message>
-        <source>Hair type</source>
-        <translation>Tipo de cabello</translation>
-    </message>
-    <message>
-        <source>From straight (1) by wavy (2) and curly (3) to coily (4): sets the numbers below</source>
-        <translation>De liso (1), ondulado (2) y rizado (3) a muy rizado (4): fija los valores de abajo</translation>
-    </message>
-    <message>
-        <source>Custom</source>
-        <translation>Propio</translation>
-    </message>
-    <message>
-        <source>Hair type of &quot;%1&quot;</source>
-        <translation>Tipo de cabello de «%1»</translation>
     </message>
 </context>
 <context>
@@ -6608,6 +6552,65 @@ Se ha perdido esto:</translation>
     <message>
         <source>“%1” is no colour; type six digits of 0–9 and A–F, such as %2, or rgb(26, 43, 60).</source>
         <translation>«%1» no es un color; escribe seis cifras de 0–9 y A–F, como %2, o rgb(26, 43, 60).</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::GroupSettingsPanel</name>
+    <message>
+        <source>Shape</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>Braids</source>
+        <translation>Trenzas</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aspecto</translation>
+    </message>
+    <message>
+        <source>%1 of &quot;%2&quot;</source>
+        <translation>%1 de «%2»</translation>
+    </message>
+    <message>
+        <source>What was painted on %1 beyond %2 is %2 now; undo brings it back.</source>
+        <translation>Lo pintado en %1 por encima de %2 es ahora %2; deshacer lo devuelve.</translation>
+    </message>
+    <message>
+        <source>What was painted on %1 below %2 is %2 now; undo brings it back.</source>
+        <translation>Lo pintado en %1 por debajo de %2 es ahora %2; deshacer lo devuelve.</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>Variación</translation>
+    </message>
+    <message>
+        <source>Curl</source>
+        <translation>Rizo</translation>
+    </message>
+    <message>
+        <source>Locks</source>
+        <translation>Mechones</translation>
+    </message>
+    <message>
+        <source>Hair type</source>
+        <translation>Tipo de cabello</translation>
+    </message>
+    <message>
+        <source>From straight (1) by wavy (2) and curly (3) to coily (4): sets the numbers below</source>
+        <translation>De liso (1), ondulado (2) y rizado (3) a muy rizado (4): fija los valores de abajo</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Propio</translation>
+    </message>
+    <message>
+        <source>Hair type of &quot;%1&quot;</source>
+        <translation>Tipo de cabello de «%1»</translation>
     </message>
 </context>
 </TS>

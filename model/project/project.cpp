@@ -91,7 +91,7 @@ HairGroup makeGroup(Project& project, const QString& name, int mapSize)
     HairGroup group;
     group.id = project.takeId();
     group.name = name;
-    group.settings = newGroupSettings(project.head ? project.head->scalpFraction : 1.0);
+    group.settings = newGroupSettings(project.scalpFraction());
     for (const MapSpec& spec : mapSpecs()) {
         MapStack stack{.kind = spec.kind, .size = mapSize, .layers = {}};
         stack.layers.push_back(makeLayer(project, spec, mapSize, layerName(1)));

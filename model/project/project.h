@@ -115,6 +115,8 @@ struct Project
     QRgb background = 0xFF2A2C30;
     SkinTone skin = SkinTone::Clay;
 
+    /// Of the head's skin; 1 without a head.
+    [[nodiscard]] double scalpFraction() const { return head ? head->scalpFraction : 1.0; }
     [[nodiscard]] const HairGroup* group(Id id) const;
     [[nodiscard]] HairGroup* group(Id id);
     [[nodiscard]] const Layer* layer(Id groupId, MapKind kind, Id layerId) const;

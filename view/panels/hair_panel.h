@@ -1,7 +1,7 @@
-// The hair groups and the active group's settings.
+// The hair groups, what is worn, and the active group's settings.
 #pragma once
 
-#include "model/document/range_change.h"
+#include "model/project/project.h"
 #include "model/values/error.h"
 #include "view/editing/editor_state.h"
 
@@ -10,22 +10,19 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <utility>
 
 class QToolButton;
 class QVBoxLayout;
 
 namespace hairpaint::model {
-struct GroupSetting;
 struct HairKind;
 } // namespace hairpaint::model
 
 namespace hairpaint::view {
 
-class BarSlider;
 class LayerList;
-class Section;
 
+/// Lists the groups, of which one is active; adds, removes, hides, moves and renames them.
 class HairPanel : public QWidget
 {
     Q_OBJECT
@@ -45,39 +42,16 @@ public:
     void addGroup(const model::HairKind& kind);
     void removeGroup();
 
-Q_SIGNALS:
-    void groupChanged(); ///< Its controls stand for another group from here on.
-
 private:
     void buildGroups(QVBoxLayout& layout);
-    void buildSettings(QVBoxLayout& layout);
-    [[nodiscard]] QWidget* makeChoice(const model::GroupSetting& row, QWidget* parent);
-    [[nodiscard]] QWidget* makeHairTypes(QWidget* parent);
-    [[nodiscard]] QWidget* makeSwitch(const model::GroupSetting& row, QWidget* parent);
-    [[nodiscard]] QWidget* makeSlider(const model::GroupSetting& row, QWidget* parent);
-    /// A slider of a map's range keeps what is painted on it (model/document/range_change.h). `edited`: the group that
-    /// it is of.
-    void bindRange(BarSlider& slider, const model::GroupSetting& row,
-                   const std::shared_ptr<model::EditSession>& session, const std::shared_ptr<model::Id>& edited);
-    void tellClamped(const model::RangeChange& change, const model::RangeChange::Clamped& clamped);
-    /// One command; `value` in SI units.
-    void change(const model::GroupSetting& row, double value);
-    void setHairType(std::size_t index);
     void rebuildGroups();
-    void follow();
     [[nodiscard]] const model::HairGroup* group() const;
-    [[nodiscard]] double scalpFraction() const;
-    [[nodiscard]] static QString settingText(const model::GroupSetting& row, const model::HairGroup& group);
 
     EditorState& m_state;
     Grow m_grow;
     LayerList* m_groups = nullptr;
     QToolButton* m_add = nullptr;
     QToolButton* m_remove = nullptr;
-    std::vector<QWidget*> m_settings; ///< Sections that need a group.
-    /// Each shows the group's settings in its control.
-    std::vector<std::function<void(const sim::GroupSettings&)>> m_followers;
-    model::Id m_shownGroup = 0;
     bool m_filling = false;
 };
 
