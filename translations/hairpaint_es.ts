@@ -4343,18 +4343,6 @@
         <translation>Guardar proyecto</translation>
     </message>
     <message>
-        <source>Save changes?</source>
-        <translation>¿Guardar los cambios?</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has changes that are not saved.</source>
-        <translation>«%1» tiene cambios sin guardar.</translation>
-    </message>
-    <message>
-        <source>Hair Paint</source>
-        <translation>Hair Paint</translation>
-    </message>
-    <message>
         <source>Opening %1</source>
         <translation>Abriendo %1</translation>
     </message>
@@ -4371,26 +4359,6 @@
         <translation>Recuperando el trabajo sin guardar</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is open in another window. What is saved in one of them would replace what was saved in the other.</source>
-        <translation>«%1» está abierto en otra ventana. Lo que se guarde en una de ellas reemplazaría lo guardado en la otra.</translation>
-    </message>
-    <message>
-        <source>&amp;Open anyway</source>
-        <translation>&amp;Abrir de todos modos</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; was changed by another program since it was opened or saved here. Replacing it would lose those changes.</source>
-        <translation>Otro programa cambió «%1» desde que se abrió o guardó aquí. Reemplazarlo haría perder esos cambios.</translation>
-    </message>
-    <message>
-        <source>&amp;Save under another name...</source>
-        <translation>&amp;Guardar con otro nombre...</translation>
-    </message>
-    <message>
-        <source>&amp;Replace</source>
-        <translation>&amp;Reemplazar</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is no longer where it was; saving writes it again.</source>
         <translation>«%1» ya no está donde estaba; al guardar se escribe de nuevo.</translation>
     </message>
@@ -4405,14 +4373,6 @@
     <message>
         <source>%1 (repaired)</source>
         <translation>%1 (reparado)</translation>
-    </message>
-    <message>
-        <source>&amp;Open what can be read</source>
-        <translation>&amp;Abrir lo que se pueda leer</translation>
-    </message>
-    <message>
-        <source>What is left of it can be opened as a new project; the file stays as it is.</source>
-        <translation>Lo que queda de él se puede abrir como un proyecto nuevo; el archivo queda como está.</translation>
     </message>
     <message>
         <source>No new project was started: cancelled</source>
@@ -6611,6 +6571,57 @@ Se ha perdido esto:</translation>
     <message>
         <source>Hair type of &quot;%1&quot;</source>
         <translation>Tipo de cabello de «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectQuestions</name>
+    <message>
+        <source>Open project</source>
+        <translation>Abrir proyecto</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Guardar proyecto</translation>
+    </message>
+    <message>
+        <source>Save changes?</source>
+        <translation>¿Guardar los cambios?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changes that are not saved.</source>
+        <translation>«%1» tiene cambios sin guardar.</translation>
+    </message>
+    <message>
+        <source>Hair Paint</source>
+        <translation>Hair Paint</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is open in another window. What is saved in one of them would replace what was saved in the other.</source>
+        <translation>«%1» está abierto en otra ventana. Lo que se guarde en una de ellas reemplazaría lo guardado en la otra.</translation>
+    </message>
+    <message>
+        <source>&amp;Open anyway</source>
+        <translation>&amp;Abrir de todos modos</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was changed by another program since it was opened or saved here. Replacing it would lose those changes.</source>
+        <translation>Otro programa cambió «%1» desde que se abrió o guardó aquí. Reemplazarlo haría perder esos cambios.</translation>
+    </message>
+    <message>
+        <source>&amp;Save under another name...</source>
+        <translation>&amp;Guardar con otro nombre...</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Reemplazar</translation>
+    </message>
+    <message>
+        <source>&amp;Open what can be read</source>
+        <translation>&amp;Abrir lo que se pueda leer</translation>
+    </message>
+    <message>
+        <source>What is left of it can be opened as a new project; the file stays as it is.</source>
+        <translation>Lo que queda de él se puede abrir como un proyecto nuevo; el archivo queda como está.</translation>
     </message>
 </context>
 </TS>

@@ -9,8 +9,6 @@
 #include "model/repair/project_repair.h"
 
 #include <QFileInfo>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QScopedValueRollback>
 #include <QStandardPaths>
 #include <QUndoStack>
@@ -33,8 +31,8 @@ const QUndoCommand* newestStep(model::Document& document)
 } // namespace
 
 ProjectFiles::ProjectFiles(Session& session, Settings& settings, Jobs& jobs, QWidget& window)
-    : QObject(&window), m_session(session), m_settings(settings), m_jobs(jobs), m_window(window), m_watch(jobs),
-      m_encoded(model::makeEncodedLayers())
+    : QObject(&window), m_session(session), m_settings(settings), m_jobs(jobs), m_window(window), m_questions(window),
+      m_watch(jobs), m_encoded(model::makeEncodedLayers())
 {
     connect(&m_watch, &FileWatch::looked, this, &ProjectFiles::tellOfOutside);
 }
@@ -89,7 +87,7 @@ bool ProjectFiles::begin(const Doing& doing, const std::function<model::Project(
     const Taken taken = take(doing, model::makeEncodedLayers(), {},
                              [make](const model::Progress&) { return model::Result<model::Project>(make()); });
     if (taken.problem)
-        complain(taken.problem->message);
+        m_questions.complain(taken.problem->message);
     return taken.isOpen;
 }
 
@@ -163,43 +161,20 @@ bool ProjectFiles::mayOpenTwice(const QString& path)
     const Awaited<FileStamp> stamp = m_jobs.awaitOrLeave<FileStamp>(
         openingOf(path), [path](const model::Progress&) -> model::Result<FileStamp> { return stampOf(path); });
     if (stamp.end == WorkEnd::Left)
-        complain(model::cannotOpen(path, model::silentDisk()).value().message);
+        m_questions.complain(model::cannotOpen(path, model::silentDisk()).value().message);
     if (stamp.end != WorkEnd::Done || !*stamp.result)
         return false;
     const FileStamp& file = **stamp.result;
     if (file.wholeName == m_file.stamp().wholeName || !OpenFile::isOpenElsewhere(file))
         return true;
-    QMessageBox box(QMessageBox::Question, tr("Open project"),
-                    tr("'%1' is open in another window. What is saved in one of them would replace what was saved in "
-                       "the other.")
-                        .arg(QFileInfo(path).completeBaseName()),
-                    QMessageBox::Cancel, &m_window);
-    const QPushButton* open = box.addButton(tr("&Open anyway"), QMessageBox::AcceptRole);
-    box.setDefaultButton(QMessageBox::Cancel);
-    box.exec();
-    return box.clickedButton() == open;
-}
-
-ProjectFiles::Outside ProjectFiles::askAboutOutside()
-{
-    QMessageBox box(QMessageBox::Warning, tr("Save project"),
-                    tr("'%1' was changed by another program since it was opened or saved here. Replacing it would lose "
-                       "those changes.")
-                        .arg(displayName()),
-                    QMessageBox::Cancel, &m_window);
-    const QPushButton* other = box.addButton(tr("&Save under another name..."), QMessageBox::AcceptRole);
-    const QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
-    box.setDefaultButton(QMessageBox::Cancel);
-    box.exec();
-    return box.clickedButton() == replace ? Outside::Replace
-           : box.clickedButton() == other ? Outside::SaveAs
-                                          : Outside::Stop;
+    return m_questions.mayOpenTwice(QFileInfo(path).completeBaseName());
 }
 
 bool ProjectFiles::answerOutside()
 {
-    const Outside answer = askAboutOutside();
-    return answer == Outside::Replace ? saveTo(path(), Changed::Replace) : answer == Outside::SaveAs && saveAs();
+    using Answer = ProjectQuestions::Outside;
+    const Answer answer = m_questions.askAboutOutside(displayName());
+    return answer == Answer::Replace ? saveTo(path(), Changed::Replace) : answer == Answer::SaveAs && saveAs();
 }
 
 void ProjectFiles::tellOfOutside(const FileStamp& now)
@@ -235,8 +210,8 @@ bool ProjectFiles::openPath(const QString& path)
         return taken.isOpen;
     m_settings.removeRecentFile(QFileInfo(path).absoluteFilePath());
     if (taken.problem->isDamage)
-        return offerRepair(taken.problem->message) && openRepaired(path);
-    complain(taken.problem->message);
+        return m_questions.offerRepair(taken.problem->message) && openRepaired(path);
+    m_questions.complain(taken.problem->message);
     return false;
 }
 
@@ -258,7 +233,7 @@ bool ProjectFiles::restore(const model::RecoveredWork& work)
     if (!maps || !*maps) {
         Q_EMIT openingEnded(false);
         if (maps)
-            complain(maps->error().message);
+            m_questions.complain(maps->error().message);
         return false;
     }
     m_encoded = model::makeEncodedLayers();
@@ -306,8 +281,8 @@ bool ProjectFiles::openRepaired(const QString& path)
     if (ready.end == WorkEnd::Cancelled)
         return false;
     if (ready.end == WorkEnd::Left || !*ready.result) {
-        complain(ready.end == WorkEnd::Left ? model::cannotOpen(path, model::silentDisk()).value().message
-                                            : ready.result->error().message);
+        m_questions.complain(ready.end == WorkEnd::Left ? model::cannotOpen(path, model::silentDisk()).value().message
+                                                        : ready.result->error().message);
         return false;
     }
     model::RepairedProject& repaired = (*ready.result)->repaired;
@@ -349,7 +324,7 @@ bool ProjectFiles::saveUnder(const QString& suggested)
 bool ProjectFiles::saveElsewhere(const QString& path)
 {
     // A dialog that began in the folder would wait for it too.
-    return offerAnotherPath(model::cannotWrite(path, model::silentDisk()).value().message) &&
+    return m_questions.offerAnotherPath(model::cannotWrite(path, model::silentDisk()).value().message) &&
            saveUnder(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QLatin1Char('/') +
                      QFileInfo(path).fileName());
 }
@@ -359,12 +334,9 @@ bool ProjectFiles::mayDiscard()
     m_session.document().settle();
     if (!m_session.document().modified())
         return true;
-    const auto answer = QMessageBox::question(
-        &m_window, tr("Save changes?"), tr("'%1' has changes that are not saved.").arg(displayName()),
-        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-    if (answer == QMessageBox::Save)
-        return save();
-    return answer == QMessageBox::Discard;
+    using Answer = ProjectQuestions::Unsaved;
+    const Answer answer = m_questions.askAboutUnsaved(displayName());
+    return answer == Answer::Save ? save() : answer == Answer::Discard;
 }
 
 bool ProjectFiles::isLeft(const QString& path) const
@@ -430,7 +402,8 @@ bool ProjectFiles::saveTo(const QString& path, Changed changed)
         return saveElsewhere(path);
     }
     if (!*saved.result)
-        return saved.end != WorkEnd::Cancelled && offerAnotherPath(saved.result->error().message) && saveAs();
+        return saved.end != WorkEnd::Cancelled && m_questions.offerAnotherPath(saved.result->error().message) &&
+               saveAs();
     if ((*saved.result)->wasChanged)
         return answerOutside();
     // A number that was being typed may have become a step meanwhile, which the file does not hold.
@@ -438,29 +411,6 @@ bool ProjectFiles::saveTo(const QString& path, Changed changed)
         document.markSaved();
     setPath(path, {}, (*saved.result)->stamp);
     return true;
-}
-
-bool ProjectFiles::offerAnotherPath(const QString& problem)
-{
-    QMessageBox box(QMessageBox::Warning, tr("Save project"), problem, QMessageBox::Cancel, &m_window);
-    const QPushButton* other = box.addButton(tr("&Save under another name..."), QMessageBox::AcceptRole);
-    box.exec();
-    return box.clickedButton() == other;
-}
-
-bool ProjectFiles::offerRepair(const QString& problem)
-{
-    QMessageBox box(QMessageBox::Warning, tr("Open project"), problem, QMessageBox::Cancel, &m_window);
-    box.setInformativeText(tr("What is left of it can be opened as a new project; the file stays as it is."));
-    const QPushButton* repair = box.addButton(tr("&Open what can be read"), QMessageBox::AcceptRole);
-    box.setDefaultButton(QMessageBox::Cancel);
-    box.exec();
-    return box.clickedButton() == repair;
-}
-
-void ProjectFiles::complain(const QString& message)
-{
-    QMessageBox::warning(&m_window, tr("Hair Paint"), message);
 }
 
 } // namespace hairpaint::app

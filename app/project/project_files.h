@@ -4,6 +4,7 @@
 #include "app/background/jobs.h"
 #include "app/project/file_watch.h"
 #include "app/project/open_file.h"
+#include "app/project/project_questions.h"
 #include "app/session/session.h"
 #include "app/settings/settings.h"
 #include "model/document/journal_state.h"
@@ -101,25 +102,16 @@ private:
     [[nodiscard]] bool isLeft(const QString& path) const;
     /// Asks before this window overwrites a file that another window has open or another program has changed.
     [[nodiscard]] bool mayOpenTwice(const QString& path);
-    enum class Outside
-    {
-        Replace,
-        SaveAs,
-        Stop
-    };
-    [[nodiscard]] Outside askAboutOutside();
     bool answerOutside();
     void tellOfOutside(const FileStamp& now);
     /// The last known stamp of the file; empty if none is known.
     [[nodiscard]] FileStamp stampBefore() const;
-    [[nodiscard]] bool offerAnotherPath(const QString& problem);
-    [[nodiscard]] bool offerRepair(const QString& problem);
-    void complain(const QString& message);
 
     Session& m_session;
     Settings& m_settings;
     Jobs& m_jobs;
     QWidget& m_window;
+    ProjectQuestions m_questions;
     OpenFile m_file;
     FileWatch m_watch;
     QString m_toldOfOutside;       ///< The last such sentence, so that it is not repeated.
