@@ -1,16 +1,14 @@
 // The comb: lays hair along the pointer's path over the skin, lifts it, smooths it, ruffles it, lays a whorl, or holds
 // it.
 #include "model/maps/compositor.h"
-#include "model/tools/brush_path.h"
 #include "model/tools/comb_field.h"
 #include "model/tools/evened_hair.h"
 #include "model/tools/fallen_hair.h"
 #include "model/tools/hold_stroke.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/picker_tool.h"
-#include "model/tools/root_dabs.h"
-#include "model/tools/skin_frames.h"
-#include "model/tools/stroke_heading.h"
+#include "model/tools/restyled_hair.h"
+#include "model/tools/skin_stroke.h"
 #include "model/tools/tool_list.h"
 #include "model/tools/whorl.h"
 #include "sim/groom/direction_texel.h"
@@ -64,30 +62,8 @@ constexpr ToolOption kHoldGel{.key = "hold_gel",
 constexpr std::array kCombOptions{&kCombKind,     &kSizeOption, &kHardnessOption, &kOpacityOption,
                                   &kCombFlatness, &kLift,       &kHoldGel,        &kTouchOption};
 
-constexpr float kCombSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
-constexpr float kCombLeastStepTx = 0.5F;
 constexpr float kJumpM = 0.03F;             ///< Points further apart than this, and than the dabs, are no motion.
-constexpr float kRuffleRad = 0.9F;          ///< Noise turns by at most this,
-constexpr float kRuffleLength = 0.25F;      ///< and changes the length by at most this.
-constexpr float kRuffleCells = 512.0F;      ///< Cells of noise along the layout's side.
 const glm::vec3 kAcross(-1.0F, 1.0F, 1.0F); ///< Reflects Hd.
-
-/// -1..1, the same for the same uv.
-float noiseAt(int x, int y, std::uint32_t salt)
-{
-    std::uint32_t h =
-        static_cast<std::uint32_t>(x) * 0x8DA6B343U ^ static_cast<std::uint32_t>(y) * 0xD8163841U ^ salt * 0xCB1AB31FU;
-    h = (h ^ (h >> 15U)) * 0x2C1B3C6DU;
-    h = (h ^ (h >> 12U)) * 0x297A2D39U;
-    return static_cast<float>((h ^ (h >> 15U)) >> 8U) / 8388608.0F - 1.0F;
-}
-
-glm::vec2 turnedBy(glm::vec2 v, float angleRad)
-{
-    const float c = std::cos(angleRad);
-    const float s = std::sin(angleRad);
-    return {c * v.x - s * v.y, s * v.x + c * v.y};
-}
 
 constexpr ToolTraits kComb{
     .id = ToolId::Comb,
@@ -154,7 +130,6 @@ private:
              float pressure);
     void setReach(const Dab& dab);
     [[nodiscard]] glm::vec2 along(glm::vec2 uv, glm::vec3 strokeHd, const sim::SkinFrame& centre);
-    [[nodiscard]] glm::vec2 restyled(glm::vec2 uv, const ToolSettings& settings);
     [[nodiscard]] glm::vec2 uvOf(int x, int y) const;
     [[nodiscard]] sim::RasterTilePtr painted(int tile, const sim::RasterTilePtr& before);
     void drop();
@@ -163,15 +138,12 @@ private:
     HoldStroke m_hold; ///< Runs instead of it.
     std::optional<StrokeBuffer> m_masks;
     std::optional<CombField> m_field;
-    std::optional<BrushPath> m_path;
-    std::optional<RootDabs> m_roots;       ///< Where the stroke goes over hair,
-    std::optional<OverHair> m_overHair;    ///< and where it was there last.
-    std::unique_ptr<SkinFrames> m_frames;  ///< Kept from stroke to stroke.
+    SkinStroke m_stroke;
+    std::optional<OverHair> m_overHair;    ///< Where the stroke was over hair last.
     std::optional<FallenHair> m_before;    ///< How hair lay when the stroke began.
     std::optional<ToolEvent> m_last;       ///< Where the next straight line starts; kept between strokes.
     std::optional<BrushSample> m_previous; ///< The last point that lay on the skin.
     bool m_waits = false;                  ///< That point has no dab yet: its direction is not known.
-    StrokeHeading m_heading;               ///< Where the pointer goes.
     glm::vec2 m_reachUv{0.0F};             ///< Of the dab that is laid.
     std::uint16_t m_opacity = 65535;
 };
@@ -199,8 +171,8 @@ void CombTool::press(const ToolEvent& event, ToolContext& context)
 {
     if (picksInstead(event, context))
         return;
-    const Head* head = context.document.project().head.get();
-    if (context.target.map != MapKind::Direction || head == nullptr || head->skin == nullptr || active())
+    const Head* head = SkinStroke::headFor(context);
+    if (head == nullptr || active())
         return;
     if (context.settings.comb == CombKind::Hold) {
         if (m_hold.begin(context))
@@ -209,24 +181,20 @@ void CombTool::press(const ToolEvent& event, ToolContext& context)
     }
     if (!m_edit.begin(context, title()))
         return;
-    if (m_frames == nullptr || !m_frames->isOf(head->skin))
-        m_frames = std::make_unique<SkinFrames>(head->skin);
-    m_before.emplace(context, *m_frames, m_edit.size());
+    m_stroke.look(*head);
+    m_before.emplace(context, *m_stroke.frames, m_edit.size());
     m_masks.emplace(m_edit.size());
     m_field.emplace(m_edit.size());
-    m_path.emplace(head->skin.get(), context.settings.brushSizeM * kCombSpacing,
-                   kCombLeastStepTx / static_cast<float>(m_edit.size()));
-    m_roots.emplace(context, m_edit.size());
+    m_stroke.begin(*head, context, m_edit.size());
     m_overHair.reset();
     m_opacity = unit16(context.settings.opacity);
     m_previous.reset();
-    m_heading.reset();
     m_waits = false;
     if (context.settings.comb == CombKind::Whorl)
         return stamp(event, context);
     if (event.modifiers.testFlag(Qt::ShiftModifier) && m_last && m_last->point) {
         m_last->pressure = event.pressure;
-        m_path->standAt(*m_last);
+        m_stroke.path->standAt(*m_last);
         m_previous = BrushSample{.uv = m_last->point->uv,
                                  .point = m_last->point,
                                  .metric = SkinMetric::at(*m_last->point),
@@ -253,21 +221,20 @@ void CombTool::drop()
 {
     m_masks.reset();
     m_field.reset();
-    m_path.reset();
-    m_roots.reset();
+    m_stroke.end();
     m_before.reset();
 }
 
 void CombTool::combTo(const ToolEvent& event, ToolContext& context)
 {
     if (event.hair) {
-        m_path->lift();
+        m_stroke.path->lift();
         m_previous.reset();
         combHair(event, context);
     } else {
-        m_roots->lift();
+        m_stroke.roots->lift();
         m_overHair.reset();
-        m_path->moveTo(event, [&](const BrushSample& sample) { follow(sample, context); });
+        m_stroke.path->moveTo(event, [&](const BrushSample& sample) { follow(sample, context); });
         if (event.area == Area::Paint || event.point)
             m_last = event;
     }
@@ -332,11 +299,11 @@ void CombTool::follow(const BrushSample& sample, const ToolContext& context)
     const float moved = glm::length(motionHd);
     if (!m_previous || moved > std::max(kJumpM, settings.brushSizeM)) {
         m_previous = sample;
-        m_heading.reset();
+        m_stroke.heading.reset();
         m_waits = true;
         return;
     }
-    if (!m_heading.turn(motionHd, settings.brushSizeM))
+    if (!m_stroke.heading.turn(motionHd, settings.brushSizeM))
         return;
     if (std::exchange(m_waits, false))
         dab(*m_previous, context);
@@ -351,15 +318,15 @@ void CombTool::combHair(const ToolEvent& event, const ToolContext& context)
     const std::optional<OverHair> last = std::exchange(m_overHair, event.hair);
     if (settings.comb == CombKind::Lay) {
         if (!last) {
-            m_heading.reset();
-            return m_roots->standAt(*event.hair);
+            m_stroke.heading.reset();
+            return m_stroke.roots->standAt(*event.hair);
         }
-        if (!m_heading.turn(event.hair->positionHd - last->positionHd, settings.brushSizeM))
+        if (!m_stroke.heading.turn(event.hair->positionHd - last->positionHd, settings.brushSizeM))
             return;
     }
     const RootDabs::Shape shape{.sizeM = settings.brushSizeM, .hardness = settings.hardness, .twinRoots = true};
-    const glm::vec3 strokeHd = m_heading.orNone();
-    for (const RootDab& one : m_roots->moveTo(*event.hair, context, shape, settings.comb != CombKind::Lay)) {
+    const glm::vec3 strokeHd = m_stroke.heading.orNone();
+    for (const RootDab& one : m_stroke.roots->moveTo(*event.hair, context, shape, settings.comb != CombKind::Lay)) {
         setReach(dabAt(SkinMetric::at(one.root), one.root.uv, 0.5F * settings.brushSizeM, m_edit.size()));
         lay(one.dab, strokeHd, sim::SkinFrame::at(one.root), settings, event.pressure);
         if (one.twin && one.twinRoot)
@@ -374,7 +341,7 @@ void CombTool::dab(const BrushSample& sample, const ToolContext& context)
     Dab dab = dabAt(sample.metric, sample.uv, 0.5F * settings.brushSizeM, size);
     dab.hardness = settings.hardness;
     setReach(dab);
-    const glm::vec3 strokeHd = m_heading.orNone();
+    const glm::vec3 strokeHd = m_stroke.heading.orNone();
     lay(dab, strokeHd, sim::SkinFrame::at(*sample.point), settings, sample.pressure);
     if (!context.mirror)
         return;
@@ -397,7 +364,8 @@ void CombTool::lay(const Dab& dab, glm::vec3 strokeHd, const sim::SkinFrame& cen
     const float flatness = settings.flatness * std::clamp(pressure, 0.0F, 1.0F);
     m_field->add(dab, [&](int x, int y) -> std::optional<glm::vec2> {
         const glm::vec2 uv = uvOf(x, y);
-        return settings.comb == CombKind::Lay ? along(uv, strokeHd, centre) * flatness : restyled(uv, settings);
+        return settings.comb == CombKind::Lay ? along(uv, strokeHd, centre) * flatness
+                                              : restyled(*m_before, *m_stroke.frames, uv, m_reachUv, settings);
     });
 }
 
@@ -410,30 +378,12 @@ void CombTool::setReach(const Dab& dab)
 glm::vec2 CombTool::along(glm::vec2 uv, glm::vec3 strokeHd, const sim::SkinFrame& centre)
 {
     constexpr float kSteep = 0.1F;
-    const sim::SkinFrame frame = m_frames->at(uv).value_or(centre);
+    const sim::SkinFrame frame = m_stroke.frames->at(uv).value_or(centre);
     glm::vec2 direction = frame.fromHd(strokeHd);
     if (glm::length(direction) < kSteep)
         direction = centre.fromHd(strokeHd);
     const float length = glm::length(direction);
     return length > 0.0F ? direction / length : glm::vec2(0.0F);
-}
-
-/// What the modes that do not follow the pointer make of the hair that is there.
-glm::vec2 CombTool::restyled(glm::vec2 uv, const ToolSettings& settings)
-{
-    const glm::vec2 was = m_before->at(uv);
-    const float length = glm::length(was);
-    if (settings.comb == CombKind::Smooth)
-        return evenedDirection(*m_frames, *m_before, uv, m_reachUv);
-    if (settings.comb == CombKind::Noise) {
-        const glm::ivec2 cell(glm::floor(uv * kRuffleCells));
-        const float stretched = std::clamp(length * (1.0F + kRuffleLength * noiseAt(cell.x, cell.y, 2)), 0.0F, 1.0F);
-        const glm::vec2 direction = length > 0.0F ? was / length : glm::vec2(0.0F);
-        return turnedBy(direction * stretched, kRuffleRad * noiseAt(cell.x, cell.y, 1));
-    }
-    const float flat =
-        settings.lift < 0.0F ? length + (1.0F - length) * -settings.lift : length * (1.0F - settings.lift);
-    return length > 1e-4F ? was * (flat / length) : was; // Upright hair has no direction along the skin.
 }
 
 sim::RasterTilePtr CombTool::painted(int tile, const sim::RasterTilePtr& before)

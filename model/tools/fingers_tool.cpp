@@ -1,9 +1,7 @@
 // Fingers: hair is puffed up, pinched together, spread out or smoothed where they go.
-#include "model/tools/brush_path.h"
 #include "model/tools/finger_maps.h"
 #include "model/tools/picker_tool.h"
-#include "model/tools/root_dabs.h"
-#include "model/tools/stroke_heading.h"
+#include "model/tools/skin_stroke.h"
 #include "model/tools/tool_list.h"
 
 #include <algorithm>
@@ -34,8 +32,6 @@ constexpr ToolOption kFingerStrength{
     .kind = ToolNumber{.field = &ToolSettings::fingerStrength}};
 constexpr std::array kFingerOptions{&kFingerKind, &kSizeOption, &kHardnessOption, &kFingerStrength, &kTouchOption};
 
-constexpr float kFingerSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
-constexpr float kFingerLeastStepTx = 0.5F;
 constexpr float kLeastFingerPressure = 0.05F;
 const glm::vec3 kOtherSide(-1.0F, 1.0F, 1.0F); ///< Reflects Hd.
 
@@ -80,12 +76,12 @@ public:
     void cancel(ToolContext& /*context*/) override
     {
         m_maps.cancel();
-        drop();
+        m_stroke.end();
     }
     void commit(ToolContext& /*context*/) override
     {
         m_maps.commit();
-        drop();
+        m_stroke.end();
     }
     [[nodiscard]] bool active() const override { return m_maps.active(); }
 
@@ -94,13 +90,9 @@ private:
     void goTo(const ToolEvent& event, ToolContext& context);
     void overSkin(const BrushSample& sample, const ToolContext& context);
     void overHair(const ToolEvent& event, const ToolContext& context);
-    void drop();
 
     FingerMaps m_maps;
-    std::unique_ptr<SkinFrames> m_frames; ///< Kept from stroke to stroke.
-    std::optional<BrushPath> m_path;
-    std::optional<RootDabs> m_roots; ///< Where the stroke goes over strands.
-    StrokeHeading m_heading;
+    SkinStroke m_stroke;
     std::optional<glm::vec3> m_lastHd; ///< Where the stroke was last, on the skin or over strands.
     float m_pressure = 1.0F;
 };
@@ -139,17 +131,13 @@ void FingersTool::press(const ToolEvent& event, ToolContext& context)
 {
     if (picksInstead(event, context))
         return;
-    const Head* head = context.document.project().head.get();
-    if (active() || context.target.map != MapKind::Direction || head == nullptr || head->skin == nullptr)
+    const Head* head = SkinStroke::headFor(context);
+    if (head == nullptr || active())
         return;
-    if (m_frames == nullptr || !m_frames->isOf(head->skin))
-        m_frames = std::make_unique<SkinFrames>(head->skin);
-    if (!m_maps.begin(context, stepText(context.settings.fingers), *m_frames))
+    m_stroke.look(*head);
+    if (!m_maps.begin(context, stepText(context.settings.fingers), *m_stroke.frames))
         return;
-    m_path.emplace(head->skin.get(), context.settings.brushSizeM * kFingerSpacing,
-                   kFingerLeastStepTx / static_cast<float>(m_maps.size()));
-    m_roots.emplace(context, m_maps.size());
-    m_heading.reset();
+    m_stroke.begin(*head, context, m_maps.size());
     m_lastHd.reset();
     goTo(event, context);
 }
@@ -169,11 +157,11 @@ void FingersTool::goTo(const ToolEvent& event, ToolContext& context)
 {
     m_pressure = event.pressure;
     if (event.hair) {
-        m_path->lift();
+        m_stroke.path->lift();
         overHair(event, context);
     } else {
-        m_roots->lift();
-        m_path->moveTo(event, [&](const BrushSample& sample) { overSkin(sample, context); });
+        m_stroke.roots->lift();
+        m_stroke.path->moveTo(event, [&](const BrushSample& sample) { overSkin(sample, context); });
     }
     m_maps.show();
 }
@@ -187,11 +175,11 @@ void FingersTool::overSkin(const BrushSample& sample, const ToolContext& context
     const ToolSettings& settings = context.settings;
     const std::optional<glm::vec3> last = std::exchange(m_lastHd, sample.point->positionHd);
     if (last)
-        m_heading.turn(sample.point->positionHd - *last, settings.brushSizeM);
+        m_stroke.heading.turn(sample.point->positionHd - *last, settings.brushSizeM);
     FingerDab one{.dab = dabAt(sample.metric, sample.uv, 0.5F * settings.brushSizeM, m_maps.size()),
                   .centre = *sample.point,
                   .reachM = 0.5F * settings.brushSizeM,
-                  .headingHd = m_heading.orNone()};
+                  .headingHd = m_stroke.heading.orNone()};
     one.dab.hardness = settings.hardness;
     one.dab.strength = std::clamp(sample.pressure, kLeastFingerPressure, 1.0F);
     m_maps.add(one);
@@ -217,16 +205,16 @@ void FingersTool::overHair(const ToolEvent& event, const ToolContext& context)
     const float reachM = 0.5F * settings.brushSizeM;
     const glm::vec3 middleHd = event.hair->positionHd;
     if (const std::optional<glm::vec3> last = std::exchange(m_lastHd, middleHd))
-        m_heading.turn(middleHd - *last, settings.brushSizeM);
+        m_stroke.heading.turn(middleHd - *last, settings.brushSizeM);
     const RootDabs::Shape shape{.sizeM = settings.brushSizeM,
                                 .hardness = settings.hardness,
                                 .strength = std::clamp(event.pressure, kLeastFingerPressure, 1.0F),
                                 .twinRoots = true};
-    for (const RootDab& one : m_roots->moveTo(*event.hair, context, shape, true)) {
+    for (const RootDab& one : m_stroke.roots->moveTo(*event.hair, context, shape, true)) {
         FingerDab dab{.dab = one.dab,
                       .centre = one.root,
                       .reachM = reachM,
-                      .headingHd = m_heading.orNone(),
+                      .headingHd = m_stroke.heading.orNone(),
                       .gatherHd = (middleHd - one.seenHd) / reachM};
         m_maps.add(dab);
         if (!one.twin || !one.twinRoot)
@@ -237,12 +225,6 @@ void FingersTool::overHair(const ToolEvent& event, const ToolContext& context)
         *dab.gatherHd *= kOtherSide;
         m_maps.add(dab);
     }
-}
-
-void FingersTool::drop()
-{
-    m_path.reset();
-    m_roots.reset();
 }
 
 } // namespace
