@@ -21,17 +21,15 @@ void addPetal(sim::HeadMesh& mesh, float angle, float reach, float width, float 
     constexpr int kSteps = 12;
     const glm::vec3 out(sim::cosDet(angle), sim::sinDet(angle), 0.0F);
     const glm::vec3 across(-out.y, out.x, 0.0F);
-    std::vector<glm::vec3> line;
-    std::vector<glm::vec3> sides;
-    std::vector<float> widths;
+    std::vector<RibbonPoint> points;
     for (int i = 0; i <= kSteps; ++i) {
         const float t = static_cast<float>(i) / kSteps;
         const float along = 0.1F + 0.9F * t;
-        line.push_back(out * (reach * along) + glm::vec3(0.0F, 0.0F, 0.06F + rise * t * (1.6F - t)));
-        sides.push_back(across);
-        widths.push_back(width * (0.16F + sim::sinDet(kHalfTurn * std::min(0.22F + 0.7F * t, 0.93F))));
+        points.push_back({.centre = out * (reach * along) + glm::vec3(0.0F, 0.0F, 0.06F + rise * t * (1.6F - t)),
+                          .across = across,
+                          .halfWidth = width * (0.16F + sim::sinDet(kHalfTurn * std::min(0.22F + 0.7F * t, 0.93F)))});
     }
-    addSwept(mesh, ribbonAlong(line, sides, widths, 0.028F, false), false, 10);
+    addRibbon(mesh, points, 0.028F, 10);
 }
 
 /// Rounded off at both ends.
@@ -53,17 +51,16 @@ std::shared_ptr<const sim::HeadMesh> bandOver(float halfWidth, float halfThickne
 {
     constexpr int kSteps = 72;
     constexpr float kEnd = 1.5F; // rad; to behind the ears.
-    std::vector<glm::vec3> line;
-    std::vector<glm::vec3> across(kSteps + 1, glm::vec3(0.0F, 1.0F, 0.0F));
-    std::vector<float> widths;
+    std::vector<RibbonPoint> points;
     for (int i = 0; i <= kSteps; ++i) {
         const float t = 2.0F * static_cast<float>(i) / kSteps - 1.0F;
         const float angle = kEnd * t;
-        line.push_back(glm::vec3(sim::sinDet(angle), 0.0F, sim::cosDet(angle)) * radiusAt(angle));
-        widths.push_back(halfWidth * (1.0F - 0.45F * t * t));
+        points.push_back({.centre = glm::vec3(sim::sinDet(angle), 0.0F, sim::cosDet(angle)) * radiusAt(angle),
+                          .across = {0.0F, 1.0F, 0.0F},
+                          .halfWidth = halfWidth * (1.0F - 0.45F * t * t)});
     }
     auto mesh = std::make_shared<sim::HeadMesh>();
-    addSwept(*mesh, ribbonAlong(line, across, widths, halfThickness, false), false, 16);
+    addRibbon(*mesh, points, halfThickness, 16);
     return mesh;
 }
 
@@ -86,21 +83,22 @@ std::shared_ptr<const sim::HeadMesh> hairpinBody()
     static const std::shared_ptr<const sim::HeadMesh> body = [] {
         constexpr int kSteps = 40;
         constexpr float kApart = 0.05F;
-        std::vector<glm::vec3> line;
+        std::vector<RibbonPoint> wire;
+        const auto bend = [&wire](float x, float z) {
+            wire.push_back({.centre = {x, 0.0F, z}, .across = {0.0F, 1.0F, 0.0F}, .halfWidth = 0.045F});
+        };
         for (int i = 0; i <= kSteps; ++i) {
             const float t = static_cast<float>(i) / kSteps;
-            line.emplace_back(-1.0F + 1.9F * t, 0.0F, kApart + 0.025F * sim::sinDet(8.0F * kHalfTurn * t) * (1.0F - t));
+            bend(-1.0F + 1.9F * t, kApart + 0.025F * sim::sinDet(8.0F * kHalfTurn * t) * (1.0F - t));
         }
         for (int i = 1; i < 10; ++i) {
             const float angle = 0.5F * kHalfTurn - kHalfTurn * static_cast<float>(i) / 10.0F;
-            line.emplace_back(0.9F + kApart * sim::cosDet(angle), 0.0F, kApart * sim::sinDet(angle));
+            bend(0.9F + kApart * sim::cosDet(angle), kApart * sim::sinDet(angle));
         }
         for (int i = 0; i <= kSteps; ++i)
-            line.emplace_back(0.9F - 1.8F * static_cast<float>(i) / kSteps, 0.0F, -kApart);
-        const std::vector<glm::vec3> across(line.size(), glm::vec3(0.0F, 1.0F, 0.0F));
-        const std::vector<float> widths(line.size(), 0.045F);
+            bend(0.9F - 1.8F * static_cast<float>(i) / kSteps, -kApart);
         auto mesh = std::make_shared<sim::HeadMesh>();
-        addSwept(*mesh, ribbonAlong(line, across, widths, 0.018F, false), false, 10);
+        addRibbon(*mesh, wire, 0.018F, 10);
         fitInBall(*mesh, kHairpinProportions, 1.0F);
         return mesh;
     }();
@@ -132,16 +130,14 @@ std::shared_ptr<const sim::HeadMesh> combBody()
         constexpr int kSteps = 32;
         const auto bent = [](float x) { return 0.2F - 0.2F * x * x; }; // Around the head.
         auto mesh = std::make_shared<sim::HeadMesh>();
-        std::vector<glm::vec3> back;
-        std::vector<glm::vec3> across;
-        std::vector<float> widths;
+        std::vector<RibbonPoint> back;
         for (int i = 0; i <= kSteps; ++i) {
             const float x = 2.0F * static_cast<float>(i) / kSteps - 1.0F;
-            back.emplace_back(x, 0.12F, bent(x));
-            across.emplace_back(0.0F, 1.0F, 0.0F);
-            widths.push_back(0.09F + 0.13F * (1.0F - x * x) + 0.02F * sim::cosDet(9.0F * kHalfTurn * x));
+            back.push_back({.centre = {x, 0.12F, bent(x)},
+                            .across = {0.0F, 1.0F, 0.0F},
+                            .halfWidth = 0.09F + 0.13F * (1.0F - x * x) + 0.02F * sim::cosDet(9.0F * kHalfTurn * x)});
         }
-        addSwept(*mesh, ribbonAlong(back, across, widths, 0.05F, false), false, 14);
+        addRibbon(*mesh, back, 0.05F, 14);
         for (int tooth = 0; tooth < kTeeth; ++tooth) {
             const float x = 0.92F * (2.0F * static_cast<float>(tooth) / (kTeeth - 1) - 1.0F);
             std::vector<glm::vec3> line;

@@ -19,35 +19,32 @@ constexpr int kCorners = 10;
 void addLoop(sim::HeadMesh& mesh, glm::vec3 at, float scale, float to)
 {
     constexpr int kSteps = 40;
-    std::vector<glm::vec3> line;
-    std::vector<glm::vec3> across;
-    std::vector<float> widths;
+    std::vector<RibbonPoint> points;
     for (int i = 0; i <= kSteps; ++i) {
         const float t = 0.03F + 0.94F * static_cast<float>(i) / kSteps;
         const float out = 0.5F * (1.0F - sim::cosDet(2.0F * kPi * t));
         const float open = sim::sinDet(2.0F * kPi * t);
-        line.push_back(at + scale * glm::vec3(to * out, 0.16F * out, 0.14F + 0.2F * open * (0.35F + 0.65F * out)));
-        across.emplace_back(0.0F, 1.0F, 0.12F * to);
-        widths.push_back(scale * (0.1F + 0.24F * out));
+        points.push_back(
+            {.centre = at + scale * glm::vec3(to * out, 0.16F * out, 0.14F + 0.2F * open * (0.35F + 0.65F * out)),
+             .across = {0.0F, 1.0F, 0.12F * to},
+             .halfWidth = scale * (0.1F + 0.24F * out)});
     }
-    addSwept(mesh, ribbonAlong(line, across, widths, kThick * scale, false), false, kCorners);
+    addRibbon(mesh, points, kThick * scale, kCorners);
 }
 
 /// Down from the knot, in a shallow wave.
 void addTail(sim::HeadMesh& mesh, glm::vec3 at, float scale, float to)
 {
     constexpr int kSteps = 20;
-    std::vector<glm::vec3> line;
-    std::vector<glm::vec3> across;
-    std::vector<float> widths;
+    std::vector<RibbonPoint> points;
     for (int i = 0; i <= kSteps; ++i) {
         const float t = static_cast<float>(i) / kSteps;
-        line.push_back(
-            at + scale * glm::vec3(to * (0.04F + 0.42F * t), -0.05F - 0.85F * t, 0.1F + 0.05F * sim::sinDet(5.0F * t)));
-        across.emplace_back(1.0F, 0.3F * to, 0.0F);
-        widths.push_back(scale * (0.07F + 0.09F * t));
+        points.push_back({.centre = at + scale * glm::vec3(to * (0.04F + 0.42F * t), -0.05F - 0.85F * t,
+                                                           0.1F + 0.05F * sim::sinDet(5.0F * t)),
+                          .across = {1.0F, 0.3F * to, 0.0F},
+                          .halfWidth = scale * (0.07F + 0.09F * t)});
     }
-    addSwept(mesh, ribbonAlong(line, across, widths, kThick * scale, false), false, kCorners);
+    addRibbon(mesh, points, kThick * scale, kCorners);
 }
 
 void addKnot(sim::HeadMesh& mesh, glm::vec3 at, float scale)

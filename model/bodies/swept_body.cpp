@@ -101,20 +101,23 @@ std::vector<SweptSection> tubeAlong(std::span<const glm::vec3> line, std::span<c
     return sections;
 }
 
-std::vector<SweptSection> ribbonAlong(std::span<const glm::vec3> line, std::span<const glm::vec3> across,
-                                      std::span<const float> halfWidths, float halfThickness, bool closed)
+void addRibbon(sim::HeadMesh& mesh, std::span<const RibbonPoint> points, float halfThickness, int corners)
 {
+    std::vector<glm::vec3> line;
+    for (const RibbonPoint& point : points)
+        line.push_back(point.centre);
     std::vector<SweptSection> sections;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const glm::vec3 tangent = tangentAt(line, i, closed);
-        const glm::vec3 side = glm::normalize(across[i] - glm::dot(across[i], tangent) * tangent);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const glm::vec3 across = points[i].across;
+        const glm::vec3 tangent = tangentAt(line, i, false);
+        const glm::vec3 side = glm::normalize(across - glm::dot(across, tangent) * tangent);
         sections.push_back({.centre = line[i],
                             .side = side,
                             .up = glm::cross(tangent, side),
-                            .halfSide = halfWidths[i],
+                            .halfSide = points[i].halfWidth,
                             .halfUp = halfThickness});
     }
-    return sections;
+    addSwept(mesh, sections, false, corners);
 }
 
 void fitInBall(sim::HeadMesh& mesh, glm::vec3 proportions, float reach)

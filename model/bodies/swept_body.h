@@ -24,10 +24,14 @@ void addSwept(sim::HeadMesh& mesh, std::span<const SweptSection> sections, bool 
 /// A tube around the points of a line: round sections of those radii.
 [[nodiscard]] std::vector<SweptSection> tubeAlong(std::span<const glm::vec3> line, std::span<const float> radii,
                                                   bool closed);
-/// A ribbon along them: `across` is about the direction of its width at each point.
-[[nodiscard]] std::vector<SweptSection> ribbonAlong(std::span<const glm::vec3> line, std::span<const glm::vec3> across,
-                                                    std::span<const float> halfWidths, float halfThickness,
-                                                    bool closed);
+struct RibbonPoint
+{
+    glm::vec3 centre{0.0F};
+    glm::vec3 across{1.0F, 0.0F, 0.0F}; ///< About the direction of its width.
+    float halfWidth = 0.1F;
+};
+/// Adds a ribbon with flat ends along points.
+void addRibbon(sim::HeadMesh& mesh, std::span<const RibbonPoint> points, float halfThickness, int corners);
 
 /// In the space where `proportions` are the axes of a ball's radius, and there in the ball of `reach`.
 void fitInBall(sim::HeadMesh& mesh, glm::vec3 proportions, float reach);
