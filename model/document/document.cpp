@@ -2,6 +2,7 @@
 // shown.
 #include "model/document/document.h"
 
+#include "model/document/groom_input.h"
 #include "model/document/restored_step.h"
 #include "model/document/running_edit.h"
 #include "model/document/undo_budget.h"
@@ -183,33 +184,9 @@ std::uint64_t Document::revision() const
 
 sim::GroomInput Document::groomInput() const
 {
-    const Project& shown = project();
-    sim::GroomInput input;
-    if (shown.head != nullptr) {
-        input.skin = shown.head->skin;
-        input.distances = shown.head->distances;
-        input.naturalDirection = shown.head->naturalDirection;
-        if (shown.head->landmarks)
-            input.neck = sim::neckOf(shown.head->landmarks, shown.head->skin->mesh());
-    }
-    input.colliders = contactShapes(shown.worn);
-    input.seed = shown.seed;
-    input.maxHairs = shown.maxHairs;
+    sim::GroomInput input = groomInputOf(project(), m_state->resolver.maps(), m_state->shownPatches());
     input.revision = m_state->revision;
     input.preview = previewing();
-    for (const HairGroup& group : shown.groups) {
-        if (resolved(group.id, MapKind::Density) == nullptr)
-            continue; // Its maps are still being resolved.
-        sim::GroomInput::Group& one = input.groups.emplace_back();
-        one.id = group.id;
-        one.visible = group.visible;
-        one.settings = group.settings;
-        for (const MapSpec& spec : mapSpecs())
-            one.maps[spec.kind] = resolved(group.id, spec.kind);
-        one.gathered = m_state->shownPatches().gathered(group.id);
-        if (one.gathered != nullptr)
-            one.ties = tiesIn(shown.worn, group.id);
-    }
     return input;
 }
 
