@@ -8,6 +8,8 @@
 #include "model/document/undo_budget.h"
 #include "model/project/content_budget.h"
 
+#include <QScopedValueRollback>
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -32,6 +34,7 @@ struct Document::State
 {
     Project committed;
     std::optional<RunningEdit> running;
+    bool stepping = false;   ///< An undo or a redo runs.
     bool committing = false; ///< The running edit's command is being made and pushed.
     std::uint64_t sessions = 0;
     std::uint64_t revision = 1;
@@ -109,6 +112,11 @@ bool Document::canUndo() const
 void Document::setUndoBudget(std::size_t bytes)
 {
     m_state->undoBudget.setLimit(m_state->undoStack, bytes);
+}
+
+bool Document::stepping() const
+{
+    return m_state->stepping;
 }
 
 bool Document::modified() const
@@ -372,7 +380,10 @@ void Document::undo()
     if (!canUndo())
         return;
     const QString name = m_state->undoStack.undoText();
-    m_state->undoStack.undo();
+    {
+        const QScopedValueRollback steps(m_state->stepping, true);
+        m_state->undoStack.undo();
+    }
     Q_EMIT undone(name);
 }
 
@@ -382,7 +393,10 @@ void Document::redo()
     if (!m_state->undoStack.canRedo())
         return;
     const QString name = m_state->undoStack.redoText();
-    m_state->undoStack.redo();
+    {
+        const QScopedValueRollback steps(m_state->stepping, true);
+        m_state->undoStack.redo();
+    }
     Q_EMIT redone(name);
 }
 

@@ -36,6 +36,7 @@ public:
     [[nodiscard]] bool canUndo() const;
     /// Limit on the bytes of tiles that only the history holds; 1 GiB by default. The newest step can always be undone.
     void setUndoBudget(std::size_t bytes);
+    [[nodiscard]] bool stepping() const; ///< While undo() or redo() changes the project.
     [[nodiscard]] bool modified() const; ///< Since the last markSaved().
     void markSaved();
     /// Replaces the project and clears the history. If memory runs out it throws std::bad_alloc

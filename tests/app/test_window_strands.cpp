@@ -266,6 +266,12 @@ private Q_SLOTS:
             QVERIFY(is->sampleScalar(there) < was->sampleScalar(there));
         session().document().undo();
         QVERIFY(same(before, all()));
+        // Of the maps that the step had changed the one that is shown stays, and the tool leaves to the one before it.
+        if (changed == MapKind::Direction) {
+            QCOMPARE(editor().target().map(), MapKind::Direction);
+            key(Qt::Key_B);
+            QCOMPARE(editor().target().map(), MapKind::Length);
+        }
     }
 
     void guidesAreBentByTheirNodes_data()

@@ -17,6 +17,8 @@ EditTarget::EditTarget(model::Document& document, QObject* parent) : QObject(par
     if (!document.project().groups.empty())
         m_group = document.project().groups.front().id;
     connect(&document, &model::Document::changed, this, &EditTarget::onDocumentChanged);
+    connect(&document, &model::Document::undone, this, &EditTarget::followStep);
+    connect(&document, &model::Document::redone, this, &EditTarget::followStep);
 }
 
 bool EditTarget::setGroup(model::Id group)
@@ -120,18 +122,28 @@ bool EditTarget::hold(bool held)
     return std::exchange(m_held, held);
 }
 
+void EditTarget::followStep()
+{
+    const std::vector<Change> changes = std::exchange(m_stepped, {});
+    const bool isShown = std::ranges::any_of(
+        changes, [this](const Change& change) { return change.group == m_group && change.map == m_map; });
+    if (changes.empty() || isShown || m_document.project().group(changes.back().group) == nullptr)
+        return;
+    m_group = changes.back().group;
+    m_map = changes.back().map;
+    Q_EMIT mapChosen();
+    Q_EMIT rangesChanged(false);
+    Q_EMIT changed();
+}
+
 void EditTarget::onDocumentChanged(const Change& change)
 {
-    if (change.aspect == Change::Aspect::Texels && !change.preview && !m_held &&
-        (change.group != m_group || change.map != m_map)) {
-        // Nobody paints there, so this is an undo or an import: show what changed.
-        if (m_document.project().group(change.group) != nullptr) {
-            m_group = change.group;
-            m_map = change.map;
-            Q_EMIT mapChosen();
-            Q_EMIT rangesChanged(false);
-            Q_EMIT changed();
-        }
+    if (change.aspect == Change::Aspect::Texels) {
+        if (change.preview || m_held)
+            return;
+        m_stepped.push_back(change);
+        if (!m_document.stepping())
+            followStep(); // Nobody paints there, so this is an import.
         return;
     }
     if (change.aspect == Change::Aspect::Settings && change.group == m_group)

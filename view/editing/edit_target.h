@@ -52,11 +52,14 @@ Q_SIGNALS:
 
 private:
     void onDocumentChanged(const model::Change& change);
+    /// Of a step that was undone or redone the map that is shown, where it changed, else the last that did.
+    void followStep();
 
     model::Document& m_document;
     model::Id m_group = 0;
     model::MapKind m_map = model::MapKind::Length;
     std::vector<model::LayerAddress> m_layers; ///< One for each group and map that was ever active.
+    std::vector<model::Change> m_stepped;      ///< Texels that the step under way has changed.
     bool m_held = false;
 };
 
