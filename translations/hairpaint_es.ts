@@ -175,8 +175,8 @@
         <translation>otro reparto de las raíces; 1 si no se da</translation>
     </message>
     <message>
-        <source>limit on the places, over the whole head, where hair may stand (was: --max-hairs)</source>
-        <translation>límite de los sitios, en toda la cabeza, donde puede haber pelo (antes: --max-hairs)</translation>
+        <source>limit on hair candidates, over the whole head (was: --max-hairs)</source>
+        <translation>límite de candidatos a pelo, en toda la cabeza (antes: --max-hairs)</translation>
     </message>
     <message>
         <source>as JSON, for scripts</source>

@@ -108,7 +108,7 @@ std::vector<CommandOption> newOptions()
          CommandLine::tr("each image of it as the map that its name tells: Scalp-density.png, head_length.0001.exr")},
         {QStringLiteral("--seed N"), CommandLine::tr("another drawing of the roots; 1 unless given")},
         {QStringLiteral("--max-candidates N"),
-         CommandLine::tr("limit on the places, over the whole head, where hair may stand (was: --max-hairs)"),
+         CommandLine::tr("limit on hair candidates, over the whole head (was: --max-hairs)"),
          Use::Optional, QStringLiteral("max-hairs")},
     };
 }

@@ -227,7 +227,7 @@ GltfData::Read<std::vector<Number>> GltfData::numbers(int index, int components,
         return numbers;
     const auto& sparse = accessor->sparse;
     if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
-        return malformed(named("accessor", index) + " has changes at places that do not exist");
+        return malformed(named("accessor", index) + " has changes at indices that do not exist");
     const auto count = static_cast<std::size_t>(sparse.count);
     const Read<Elements> where =
         elements(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
@@ -241,7 +241,7 @@ GltfData::Read<std::vector<Number>> GltfData::numbers(int index, int components,
     for (std::size_t i = 0; i < count; ++i) {
         const double at = where->number(i, 0);
         if (!(at >= 0.0 && at < static_cast<double>(accessor->count)))
-            return malformed(named("accessor", index) + " has changes at places that do not exist");
+            return malformed(named("accessor", index) + " has changes at indices that do not exist");
         copied(*what, i, static_cast<std::size_t>(at));
     }
     return numbers;
