@@ -103,13 +103,15 @@ std::vector<CommandOption> newOptions()
         {QStringLiteral("--curves-axis y|z"),
          CommandLine::tr("that points up in those files: y or z; as they say, or as it fits, unless given")},
         {QStringLiteral("--map [GROUP/]KIND[:grey]=IMAGE"),
-         CommandLine::tr("an image as a map: a grey one by its brightness, one in colours by the scale of the map; with :grey by its brightness in any case"), Use::Repeated},
+         CommandLine::tr("an image as a map: a grey one by its brightness, one in colours by the scale of the map; "
+                         "with :grey by its brightness in any case"),
+         Use::Repeated},
         {QStringLiteral("--maps FOLDER"),
          CommandLine::tr("each image of it as the map that its name tells: Scalp-density.png, head_length.0001.exr")},
         {QStringLiteral("--seed N"), CommandLine::tr("another drawing of the roots; 1 unless given")},
         {QStringLiteral("--max-candidates N"),
-         CommandLine::tr("limit on hair candidates, over the whole head (was: --max-hairs)"),
-         Use::Optional, QStringLiteral("max-hairs")},
+         CommandLine::tr("limit on hair candidates, over the whole head (was: --max-hairs)"), Use::Optional,
+         QStringLiteral("max-hairs")},
     };
 }
 

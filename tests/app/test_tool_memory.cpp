@@ -80,7 +80,8 @@ private Q_SLOTS:
                 wanted[option->key] = optionOf(settings, *option);
                 QVERIFY2(wanted[option->key] != before, option->key);
             }
-        for (const char* newest : {"fingers", "finger_strength", "grab", "cut", "cut_through", "comb", "touch", "shape"})
+        for (const char* newest :
+             {"fingers", "finger_strength", "grab", "cut", "cut_through", "comb", "touch", "shape"})
             QVERIFY2(wanted.contains(newest), newest);
         editor().tools().setSettings(settings);
         QVERIFY(m_window->close());
