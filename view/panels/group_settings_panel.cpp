@@ -196,7 +196,7 @@ QWidget* GroupSettingsPanel::makeSlider(const GroupSetting& row, QWidget* parent
         connect(slider, &BarSlider::editingCancelled, this, [session] { session->drop(); });
     }
     m_followers.emplace_back([this, slider, &row](const GroupSettings& settings) {
-        slider->setDefaultValue(row.shown(model::newGroupSettings(@@);
+        slider->setDefaultValue(row.shown(model::newGroupSettings(scalpFraction()), scalpFraction()));
         slider->setValue(row.shown(settings, scalpFraction()));
         slider->setVisible(isShown(row, settings));
     });
