@@ -272,6 +272,7 @@ Style sidePart()
                     user.part({.reachM = 0.12F, .flatness = 0.93F, .gapM = 0.002F},
                               user.overHead(kPartM, 0.06F, -0.06F));
                 }};
+    style.settings.variation.partGapM = 0.0F;
     style.settings.nodesPerHair = 10;
     style.settings.material.shine = 0.6F;
     style.settings.material.tipAlpha = 0.7F;
