@@ -320,7 +320,7 @@ void makeNatural(GroupSettings& settings)
                           .mostShorterM = 0.015F,
                           .partGapM = 0.003F,
                           .patches = 0.3F};
-    settings.hairline = {.softenM = 0.008F, .baby = 0.35F, .uneven = 0.5F};
+    settings.hairline = {.softenM = 0.008F, .baby = 0.35F, .uneven = 0.8F};
     settings.physics.volumeRiseM = 0.05F;
     settings.physics.body = 0.5F;
     settings.physics.loft = 0.8F;

@@ -201,7 +201,7 @@ vec3 lightOf(int lobeSet, vec3 toward, vec3 lampColour, HairPoint point, vec3 vi
         FibreLobes lobes = marschner(fibreShape(roughness), at, point.depth, point.turned, point.sharpness);
         float front = shine * passed.w * kPi;
         lit = point.colour * passed.rgb * ((0.35 + 0.65 * at.cosI) * facing * kCoat) +
-              drawnGloss(lobes.r * front * (lobeSet == kForward ? kForwardPart : 1.0), at.cosPhi);
+              drawnGloss(lobes.r * front * (0.3 + 0.7 * wrap) * (lobeSet == kForward ? kForwardPart : 1.0), at.cosPhi);
         if (lobeSet != kBack)
             lit += lobes.tt * lobes.through * lobes.through * lobes.through * passed.rgb * (open * kPi * kForwardPart);
         if (lobeSet != kForward)

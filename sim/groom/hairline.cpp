@@ -20,7 +20,7 @@ constexpr float kProbesApart = 0.4F;                    ///< Of the softened wid
 constexpr float kWavers = 0.4F;                         ///< By how much of itself that width differs,
 constexpr float kRecedes = 0.3F;                        ///< and by how much of it the edge lies further inside.
 /// Where the edge is uneven, it lies further inside by up to so many of those widths; over some 4 cm it comes back.
-constexpr float kRecedesUneven = 0.9F;
+constexpr float kRecedesUneven = 1.3F;
 constexpr float kCoarser = 0.55F;
 constexpr float kUnevenPhase = 5.3F;
 constexpr float kPhase = 4.4F;

@@ -1,6 +1,7 @@
 // The hairs' constants into lanes.
 #include "sim/groom/lay.h"
 
+#include "sim/groom/curve_constants.h"
 #include "sim/groom/rest_shape.h"
 #include "sim/groom/variation.h"
 
@@ -64,9 +65,16 @@ bool Lay::add(const LayRoot& root, float lengthM)
     m_lanes.coatM[lane] = std::min(m_inputs.coatM, 0.001F + 0.12F * lengthM) * (0.3F + 0.7F * root.chance);
     m_lanes.liftM[lane] = root.liftM;
     constexpr float kRisesWithin = 0.4F; // Of the length.
-    const float riseM = std::min(m_inputs.coatRiseM, kRisesWithin * lengthM);
-    m_lanes.perRise[lane] = riseM > 0.0F && root.liftM == 0.0F ? 1.0F / riseM : 0.0F; // A coil needs its room at once.
-    constexpr float kAcrossM = 0.009F;                                                // A parting, two cells wide.
+    float riseM = std::min(m_inputs.coatRiseM, kRisesWithin * lengthM);
+    if (root.liftM > 0.0F && root.liftRises) {
+        riseM = std::min(riseM, kCoilEaseRadii * root.liftM);
+        m_lanes.coatM[lane] += root.liftM;
+        m_lanes.liftM[lane] = 0.0F;
+    } else if (root.liftM > 0.0F) {
+        riseM = 0.0F; // A coil needs its room at once.
+    }
+    m_lanes.perRise[lane] = riseM > 0.0F ? 1.0F / riseM : 0.0F;
+    constexpr float kAcrossM = 0.009F; // A parting, two cells wide.
     m_lanes.keepsM[lane] = strays && growth != own ? kAcrossM : 0.0F;
     m_lanes.lies[lane] = square > kStandsBelow * kStandsBelow ? 1.0F : 0.0F;
     m_isUpright[lane] = square == 0.0F;

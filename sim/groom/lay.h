@@ -22,7 +22,8 @@ struct LayRoot
     float chance = 0.5F; ///< 0..1, the hair's own: its height in the coat.
     /// From where on the skin it takes its direction, from the root; 0 unless it is one that may cross a parting.
     glm::vec3 strayHd{0.0F};
-    float liftM = 0.0F; ///< Above that height: the room below a coil's middle.
+    float liftM = 0.0F;     ///< Above that height: the room below a coil's middle,
+    bool liftRises = false; ///< which it is given as the coil opens, and not at once.
 };
 
 /// Whether a direction map lets every hair stand along its normal.

@@ -97,7 +97,9 @@ HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, co
         const FibreLobes<F> lobes = marschner<set>(given.shape, at, point.depth, point.turned, point.sharpness);
         const F front = shine * passed.direct * F(kPi);
         const F body = (F(0.35F) + F(0.65F) * at.cosI) * facing * F(kCoat);
-        const F white = drawnGloss(lobes.r * front * F(set == LobeSet::Forward ? kForward : 1.0F), at.cosPhi);
+        // Where the coat turns from the light, hairs lie under those that have it.
+        const F shown = F(0.3F) + F(0.7F) * wrap;
+        const F white = drawnGloss(lobes.r * front * shown * F(set == LobeSet::Forward ? kForward : 1.0F), at.cosPhi);
         lit = point.colour * passed.all * body + Triple<F>{white, white, white};
         // What went through one hair goes through those beside it too: even a thin coat colours it.
         if constexpr (set != LobeSet::Back)
