@@ -1636,6 +1636,54 @@
         <translation>Cuántos de los pelos son canas</translation>
     </message>
     <message>
+        <source>Uneven by at most</source>
+        <translation>Desigual como máximo</translation>
+    </message>
+    <message>
+        <source>How much shorter single hairs are at most; at 0 there is no limit</source>
+        <translation>Cuánto más cortos son como máximo los cabellos sueltos; con 0 no hay límite</translation>
+    </message>
+    <message>
+        <source>Bare parting</source>
+        <translation>Raya despejada</translation>
+    </message>
+    <message>
+        <source>Width of the line of skin that a parting bares</source>
+        <translation>Ancho de la línea de piel que deja ver una raya</translation>
+    </message>
+    <message>
+        <source>Uneven patches</source>
+        <translation>Zonas desiguales</translation>
+    </message>
+    <message>
+        <source>How far density and length differ in soft patches</source>
+        <translation>Cuánto varían densidad y longitud en zonas suaves</translation>
+    </message>
+    <message>
+        <source>Uneven hairline</source>
+        <translation>Nacimiento irregular</translation>
+    </message>
+    <message>
+        <source>How far a soft hairline wavers</source>
+        <translation>Cuánto ondula un nacimiento suave</translation>
+    </message>
+    <message>
+        <source>Straight at the root</source>
+        <translation>Liso en la raíz</translation>
+    </message>
+    <message>
+        <source>How far from the scalp hair begins to curl</source>
+        <translation>A qué distancia del cuero cabelludo empieza a rizarse el pelo</translation>
+    </message>
+    <message>
+        <source>Loft</source>
+        <translation>Realce</translation>
+    </message>
+    <message>
+        <source>How well the coat keeps its height under its weight</source>
+        <translation>Cuánto conserva el pelo su altura bajo su peso</translation>
+    </message>
+    <message>
         <source>Loose parting</source>
         <translation>Raya suelta</translation>
     </message>

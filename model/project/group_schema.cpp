@@ -122,6 +122,9 @@ constexpr GroupSetting kSettings[] = {
     {"curl.gather", &CurlSettings::gather, kCurl, QT_TRANSLATE_NOOP("GroupSchema", "Curls gather"),
      QT_TRANSLATE_NOOP("GroupSchema", "How closely curled hair gathers in locks where no clump is painted"), "%", 100.0,
      0.0, 1.0, 0.0, 100.0},
+    {"curl.straight_m", &CurlSettings::straightM, kCurl, QT_TRANSLATE_NOOP("GroupSchema", "Straight at the root"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How far from the scalp hair begins to curl"),
+     QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.2, 0.0, 50.0, 1, 2.0F},
     {"locks.size_m", &LockSettings::sizeM, kLocks, QT_TRANSLATE_NOOP("GroupSchema", "Lock size"),
      QT_TRANSLATE_NOOP("GroupSchema", "Distance of locks; at 0 each simulated hair has its own"),
      QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.1, 0.0, 60.0, 1, 1.5F},
@@ -157,12 +160,24 @@ constexpr GroupSetting kSettings[] = {
     {"variation.parting_m", &VariationSettings::parting, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Loose parting"),
      QT_TRANSLATE_NOOP("GroupSchema", "How far from a parting hairs still cross it"),
      QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.01, 0.0, 10.0, 1},
+    {"variation.most_shorter_m", &VariationSettings::mostShorterM, kChance,
+     QT_TRANSLATE_NOOP("GroupSchema", "Uneven by at most"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How much shorter single hairs are at most; at 0 there is no limit"),
+     QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.0, 0.2, 0.0, 10.0, 1, 2.0F},
+    {"variation.part_gap_m", &VariationSettings::partGapM, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Bare parting"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Width of the line of skin that a parting bares"),
+     QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.01, 0.0, 10.0, 1},
+    {"variation.patches", &VariationSettings::patches, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Uneven patches"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How far density and length differ in soft patches"), "%", 100.0, 0.0, 1.0, 0.0,
+     100.0},
     {"hairline.soften_m", &HairlineSettings::softenM, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Soft hairline"),
      QT_TRANSLATE_NOOP("GroupSchema", "Width over which hair grows thinner, shorter and finer towards bare skin"),
      QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.03, 0.0, 20.0, 1},
     {"hairline.baby", &HairlineSettings::baby, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Baby hairs"),
      QT_TRANSLATE_NOOP("GroupSchema", "How many hairs of a soft hairline are short, fine and curl a little"), "%",
      100.0, 0.0, 1.0, 0.0, 100.0},
+    {"hairline.uneven", &HairlineSettings::uneven, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Uneven hairline"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How far a soft hairline wavers"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
     {"greatest_frizz_m", &GroupSettings::greatestFrizzM, kShape, QT_TRANSLATE_NOOP("GroupSchema", "Greatest frizz"),
      QT_TRANSLATE_NOOP("GroupSchema", "How far hair strays from its course where the frizz map is brightest"),
      QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.05, 0.0, 20.0, 1, 2.0F},
@@ -182,6 +197,9 @@ constexpr GroupSetting kSettings[] = {
     {"physics.coat_body", &PhysicsSettings::body, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Body"),
      QT_TRANSLATE_NOOP("GroupSchema", "How strongly hair keeps out of hair and moves along with it"), "%", 100.0, 0.0,
      1.0, 0.0, 100.0},
+    {"physics.loft", &PhysicsSettings::loft, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Loft"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How well the coat keeps its height under its weight"), "%", 100.0, 0.0, 1.0, 0.0,
+     100.0},
     {"physics.stiffness_m", &PhysicsSettings::stiffnessM, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Stands up to"),
      QT_TRANSLATE_NOOP("GroupSchema", "A hair so long nearly carries itself; shorter hair stands, longer hair hangs"),
      QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.0, 0.3, 0.0, 20.0, 1, 2.0F},
@@ -293,11 +311,19 @@ void GroupSetting::writeShown(GroupSettings& settings, double value, double scal
 
 void makeNatural(GroupSettings& settings)
 {
-    settings.variation = {
-        .length = 0.08F, .curl = 0.12F, .width = 0.2F, .crossing = 0.08F, .flyaways = 0.012F, .parting = 0.004F};
-    settings.hairline = {.softenM = 0.008F, .baby = 0.35F};
+    settings.variation = {.length = 0.08F,
+                          .curl = 0.12F,
+                          .width = 0.2F,
+                          .crossing = 0.08F,
+                          .flyaways = 0.012F,
+                          .parting = 0.004F,
+                          .mostShorterM = 0.015F,
+                          .partGapM = 0.003F,
+                          .patches = 0.3F};
+    settings.hairline = {.softenM = 0.008F, .baby = 0.35F, .uneven = 0.8F};
     settings.physics.volumeRiseM = 0.05F;
     settings.physics.body = 0.5F;
+    settings.physics.loft = 0.8F;
     settings.material.scalpTint = 0.8F;
     settings.material.sectionAxes = 1.3F;
     settings.material.taperM = 0.012F; // Cut hair ends: it thins out over its last centimetre alone.

@@ -13,6 +13,8 @@ using sim::CurlSettings;
 
 constexpr float kNever = 1.0F; ///< Farther from the scalp than hair is.
 
+constexpr float kStraightM = 0.004F; ///< Of a coil: what curls at once stands off the head like a brush.
+
 /// Diameters in mm, distances from the scalp in cm, switchbacks in 10 cm.
 constexpr CurlSettings curl(float diameterMm, float pitchPerDiameter, float flatness, float inStepCm, float switchbacks,
                             float skips, float uncoil, float gather)
@@ -24,7 +26,8 @@ constexpr CurlSettings curl(float diameterMm, float pitchPerDiameter, float flat
             .switchbacksPerM = switchbacks * 10.0F,
             .skips = skips,
             .uncoil = uncoil,
-            .gather = gather};
+            .gather = gather,
+            .straightM = flatness > 0.5F ? 0.0F : kStraightM};
 }
 
 /// Locks about as far apart as their coils are wide, so that each is seen.

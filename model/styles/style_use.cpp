@@ -25,14 +25,32 @@ constexpr std::array kColourSettings{"material.colour_variation", "variation.gre
 constexpr std::array kCutMaps{MapKind::Density, MapKind::Length};
 constexpr std::array kCutSettings{"greatest_length_m", "shortest_length_m", "greatest_density_per_m2",
                                   "variation.length",  "material.taper_m",  "hairline.soften_m",
-                                  "hairline.baby"};
+                                  "hairline.baby",     "hairline.uneven",   "variation.most_shorter_m",
+                                  "variation.patches"};
 constexpr std::array kCurlMaps{MapKind::Curl, MapKind::CurlSize, MapKind::Clump, MapKind::Frizz};
-constexpr std::array kCurlSettings{
-    "greatest_curl_radius_m", "turns_mode",           "turns_per_length_m", "stepped_turns",      "variation.curl",
-    "greatest_frizz_m",       "curl.diameter_m",      "curl.pitch_m",       "curl.flatness",      "curl.in_step_from_m",
-    "curl.switchbacks_per_m", "curl.skips",           "curl.uncoil",        "curl.length_as_cut", "curl.gather",
-    "locks.size_m",           "locks.small",          "locks.flatness",     "locks.twists_per_m", "locks.ragged",
-    "locks.parting",          "material.section_axes"};
+constexpr std::array kCurlSettings{"greatest_curl_radius_m",
+                                   "turns_mode",
+                                   "turns_per_length_m",
+                                   "stepped_turns",
+                                   "variation.curl",
+                                   "greatest_frizz_m",
+                                   "curl.diameter_m",
+                                   "curl.pitch_m",
+                                   "curl.flatness",
+                                   "curl.in_step_from_m",
+                                   "curl.switchbacks_per_m",
+                                   "curl.skips",
+                                   "curl.uncoil",
+                                   "curl.length_as_cut",
+                                   "curl.gather",
+                                   "locks.size_m",
+                                   "locks.small",
+                                   "locks.flatness",
+                                   "locks.twists_per_m",
+                                   "locks.ragged",
+                                   "locks.parting",
+                                   "material.section_axes",
+                                   "curl.straight_m"};
 
 constexpr std::array kParts{
     StylePartSpec{.part = StylePart::All,

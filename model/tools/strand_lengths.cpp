@@ -13,7 +13,7 @@ StrandLengths::StrandLengths(Document& document, Id group, std::shared_ptr<const
       m_curlSize(document.resolvedNow(group, MapKind::CurlSize)), m_lengths(m_length), m_curls(m_curl),
       m_curlSizes(m_curlSize)
 {
-    m_hairline.startOver(m_roots, m_settings.hairline.softenM);
+    m_hairline.startOver(m_roots, m_settings.hairline);
     if (m_hairline.isOff())
         return;
     const sim::MapRaster density = document.resolvedNow(group, MapKind::Density);
@@ -26,12 +26,9 @@ float StrandLengths::at(std::uint32_t slot) const
 {
     const glm::vec2 uv = m_roots->uv[slot];
     const float curl = m_curls.scalar(uv);
-    const std::uint32_t rank = m_roots->rankOfSlot[slot];
-    sim::HairVariation own = sim::variationOf(m_settings.variation, m_roots->seed, rank);
-    if (!m_hairline.isOff())
-        sim::thinAtDepth(m_settings.hairline.baby, m_hairline.depth(slot), m_roots->seed, rank, own);
-    return sim::lengthOf(m_settings, m_lengths.scalar(uv)) *
-           sim::seenOverCut(m_settings, curl, curl > 0.0F ? m_curlSizes.scalar(uv) : 0.0F) * own.length;
+    const float lengthM = sim::lengthOf(m_settings, m_lengths.scalar(uv)) *
+                          sim::seenOverCut(m_settings, curl, curl > 0.0F ? m_curlSizes.scalar(uv) : 0.0F);
+    return lengthM * sim::variationAt(m_settings, *m_roots, m_hairline, slot, lengthM).length;
 }
 
 } // namespace hairpaint::model

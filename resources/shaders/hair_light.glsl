@@ -171,6 +171,12 @@ float turnedBy(float variation)
     return (pair - floor(pair + 0.5)) * (2.0 * kMost);
 }
 
+// White of a highlight that hairs of a coat show, bounded where light grazes them; see hair_light_inl.h.
+float drawnGloss(float white, float cosPhi)
+{
+    return white / (1.0 + white * (1.0 - cosPhi) * 6.0);
+}
+
 const float kCoat = 1.1; // Evens out what the coat keeps in its own shade.
 const int kMarschner = 0;
 const int kKajiyaKay = 1;
@@ -195,7 +201,7 @@ vec3 lightOf(int lobeSet, vec3 toward, vec3 lampColour, HairPoint point, vec3 vi
         FibreLobes lobes = marschner(fibreShape(roughness), at, point.depth, point.turned, point.sharpness);
         float front = shine * passed.w * kPi;
         lit = point.colour * passed.rgb * ((0.35 + 0.65 * at.cosI) * facing * kCoat) +
-              lobes.r * front * (lobeSet == kForward ? kForwardPart : 1.0);
+              drawnGloss(lobes.r * front * (0.3 + 0.7 * wrap) * (lobeSet == kForward ? kForwardPart : 1.0), at.cosPhi);
         if (lobeSet != kBack)
             lit += lobes.tt * lobes.through * lobes.through * lobes.through * passed.rgb * (open * kPi * kForwardPart);
         if (lobeSet != kForward)

@@ -16,7 +16,7 @@ uniform uint strandCount;
 uniform int nodes;
 uniform int isCoiled; // Curls by sim::CurlSettings, else by equation 1.
 uniform vec4 coil;    // Its inStepFromM, switchbacksPerM, skips, flatness,
-uniform float uncoil; // and uncoil.
+uniform vec2 uncoil;  // uncoil and straightM.
 uniform float taperM; // Of the group's material.
 
 vec3 node(uint slot, int k)
@@ -178,7 +178,7 @@ void main()
             if (isCoiled != 0)
                 offset = coilOffset(CoiledHair(turns, radius, phase, styles[slot].variation,
                                                styles[slot].lengthM * (1.0 - braidStart)),
-                                    CoilTraits(coil.x, coil.y, coil.z, coil.w, uncoil), curled);
+                                    CoilTraits(coil.x, coil.y, coil.z, coil.w, uncoil.x, uncoil.y), curled);
             else
                 offset = curlOffset(phase + 2.0 * kPi * turns * curled) * curlRadius(radius, curled);
             point += reference * offset.x + cross(tangent, reference) * offset.y + tangent * offset.z;

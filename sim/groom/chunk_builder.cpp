@@ -42,7 +42,7 @@ public:
         Laid& hair = m_laid[m_waiting];
         hair.slot = slot;
         if (m_varies)
-            hair.own = ownOf(slot);
+            hair.own = ownOf(slot, values);
         StrandStyle& style = hair.style;
         style = styleOf(m_inputs.settings, values, chance, hair.own, roots.threshold(slot) / density);
         m_look.give(roots.uv[slot], hair.own, style);
@@ -60,9 +60,12 @@ public:
                 return braid(slot, style, centre);
         }
         hair.gathered = gatheredBy(values.curl);
-        m_lay.add(layRootOf(m_inputs.settings, roots, slot, chance,
-                            liftOf(m_inputs.settings, style.curlRadiusM, style.lengthM)),
-                  style.lengthM);
+        const LayRoot root = layRootOf(m_inputs.settings, roots, slot, chance,
+                                       liftOf(m_inputs.settings, style.curlRadiusM, style.lengthM));
+        if (!m_lay.add(root, style.lengthM)) {
+            style.lengthM = 0.0F;
+            style.detail = StrandStyle{}.detail;
+        }
         ++m_waiting;
         if (m_lay.isFull())
             finish();
@@ -129,7 +132,7 @@ public:
     /// Of a hair that lies as it did.
     void look(std::uint32_t slot)
     {
-        m_look.give(m_inputs.roots.uv[slot], m_varies ? ownOf(slot) : HairVariation{},
+        m_look.give(m_inputs.roots.uv[slot], m_varies ? ownOf(slot, {}) : HairVariation{},
                     m_chunk.styles[slot - m_firstSlot]);
     }
 
@@ -163,14 +166,11 @@ private:
         std::uint32_t leader = 0;
     };
 
-    [[nodiscard]] HairVariation ownOf(std::uint32_t slot) const
+    [[nodiscard]] HairVariation ownOf(std::uint32_t slot, const RootValues& values) const
     {
-        const RootSet& roots = m_inputs.roots;
-        HairVariation own = variationOf(m_inputs.settings.variation, roots.seed, roots.rankOfSlot[slot]);
-        if (!m_inputs.hairline.isOff())
-            thinAtDepth(m_inputs.settings.hairline.baby, m_inputs.hairline.depth(slot), roots.seed,
-                        roots.rankOfSlot[slot], own);
-        return own;
+        return variationAt(m_inputs.settings, m_inputs.roots, m_inputs.hairline, slot,
+                           lengthOf(m_inputs.settings, values.length) *
+                               seenOverCut(m_inputs.settings, values.curl, values.curlSize));
     }
 
     void braid(std::uint32_t slot, StrandStyle style, std::uint32_t centre)
@@ -342,6 +342,7 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
     std::bitset<kChunkSlots> hairs = before ? before->hairs : std::bitset<kChunkSlots>{};
     std::bitset<kChunkSlots> kept = hairs;
     std::array<float, kChunkSlots> densities; // Written where read.
+    const bool hasPatches = inputs.settings.variation.patches > 0.0F;
     bool differs = false;
     dirty.look.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
         if (hairs[slot - firstSlot]) {
@@ -354,6 +355,8 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
         densities[local] = inputs.hairline.isOff()
                                ? inputs.maps[MapSlot::Density].scalar(roots.uv[slot])
                                : inputs.hairline.density(slot) * densityAtDepth(inputs.hairline.depth(slot));
+        if (hasPatches)
+            densities[local] *= densityLeft(inputs.settings.variation, roots.positionHd[slot]);
         const bool isHair = roots.threshold(slot) < densities[local];
         if (isHair || hairs[local]) {
             rebuilt.insert(slot);

@@ -10,6 +10,8 @@ inline constexpr float kCurlEaseFraction = 0.25F;
 /// no sooner than the hair has left the skin as far.
 inline constexpr float kCoilEaseM = 0.01F;
 inline constexpr float kCoilEaseRadii = 4.0F;
+/// No hair is straight at its root over more of its length than this.
+inline constexpr float kMostStraightFraction = 0.25F;
 /// From this length on, weight uncoils a hair as far as its group says; shorter ones in proportion.
 inline constexpr float kUncoiledM = 0.25F;
 /// How much farther out a hair runs, in radii, in the middle of a turn that it leaps over.

@@ -5,10 +5,10 @@
 //
 // Whoever includes it has defined the types Num, Vec3 and Flag (yes or no), CURVE_FUNCTION before each function, the
 // numbers of curve_constants.h, and the arithmetic: vec3Of, dot, select, everywhere (whether a Flag is yes for all),
-// least, most, clamped, mixed, root, floored, sinOf, cosOf, over (a number by a constant), unitOf (a vector and its squared
-// length) and reflectedIn (a vector, in the plane across another of that squared length). They round as each always
-// did: pictures and exported files keep their bytes. What each has of its own is how it steps along the strand and how
-// it adds the offsets.
+// least, most, clamped, mixed, root, floored, sinOf, cosOf, over (a number by a constant), unitOf (a vector and its
+// squared length) and reflectedIn (a vector, in the plane across another of that squared length). They round as each
+// always did: pictures and exported files keep their bytes. What each has of its own is how it steps along the strand
+// and how it adds the offsets.
 
 const float kTiny = 1e-16F; // A squared length of nothing.
 
@@ -116,6 +116,7 @@ struct CoilTraits
     Num skips;
     Num flatness;
     Num uncoil;
+    Num straightM;
 };
 
 CURVE_FUNCTION Num partOf(Num x)
@@ -134,7 +135,8 @@ CURVE_FUNCTION Vec3 coilOffset(CoiledHair hair, CoilTraits traits, Num s)
     Num turn = floored(run);
     // Leaps over a turn, and is in step again after it.
     Num part = run - turn;
-    Num leap = select(partOf(hair.chance * kOwnSkipFactor + turn * kGoldenSection) < traits.skips, Num(1.0F), Num(0.0F));
+    Num leap =
+        select(partOf(hair.chance * kOwnSkipFactor + turn * kGoldenSection) < traits.skips, Num(1.0F), Num(0.0F));
     // All turns begin at one angle, so that another hand leaves a kink and no gap.
     Num switched = floored(partOf(hair.phase * kSwitchFactor) +
                            turn * traits.switchbacksPerM * hair.lengthM / most(hair.turns, Num(1e-3F)));
@@ -149,10 +151,11 @@ CURVE_FUNCTION Vec3 coilOffset(CoiledHair hair, CoilTraits traits, Num s)
     Num open = 1.0F / most(winding * winding, Num(0.01F));
     Num apart = 1.0F / most(tightness, Num(0.05F));
     Num narrow = root(clamped(1.0F + open - open * apart * apart, 0.0F, 2.25F));
-    Num easeM = most(most(Num(kCoilEaseM), hair.lengthM * 0.25F / most(hair.turns, Num(1e-3F))),
-                     hair.radiusM * kCoilEaseRadii);
+    Num easeM =
+        most(most(Num(kCoilEaseM), hair.lengthM * 0.25F / most(hair.turns, Num(1e-3F))), hair.radiusM * kCoilEaseRadii);
     easeM = most(least(easeM, hair.lengthM * kCurlEaseFraction), Num(1e-6F));
-    Num eased = least(Num(1.0F), alongM / easeM);
+    Num straightM = least(traits.straightM, hair.lengthM * kMostStraightFraction);
+    Num eased = clamped((alongM - straightM) / easeM, 0.0F, 1.0F);
     Num radiusM = hair.radiusM * narrow * eased * eased * (3.0F - eased * 2.0F) *
                   (1.0F + leap * part * (1.0F - part) * (4.0F * kSkipLeap));
     return vec3Of(cosOf(angle) * radiusM, sinOf(angle) * radiusM * (1.0F - traits.flatness), Num(0.0F));
@@ -179,8 +182,8 @@ CURVE_FUNCTION Num braidFraction(Num s, Num start)
     return clamped((s - start) / most(1.0F - start, Num(1e-6F)), 0.0F, 1.0F);
 }
 
-// Where a fraction s lies in the part that curls, which begins at `start`: behind the ring of gathered hair, else at the
-// root, where it is s itself.
+// Where a fraction s lies in the part that curls, which begins at `start`: behind the ring of gathered hair, else at
+// the root, where it is s itself.
 CURVE_FUNCTION Num curledFraction(Num s, Num start)
 {
     return braidFraction(s, start);
@@ -270,7 +273,8 @@ CURVE_FUNCTION Frizz frizzOf(Num frizzM, Num lengthM)
     return frizz;
 }
 
-// From the strand's course at fraction s, along the frame's first axis and across it. `chance` is the hair's own, -1..1.
+// From the strand's course at fraction s, along the frame's first axis and across it. `chance` is the hair's own,
+// -1..1.
 CURVE_FUNCTION Vec3 frizzOffset(Frizz frizz, Num chance, Num s)
 {
     Num angle = frizz.waveRad * s + chance * 47.0F;

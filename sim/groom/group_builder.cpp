@@ -96,8 +96,13 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
         m_hairline.update(maps[MapSlot::Density], dirty.hairs);
         readKinds(maps, dirty.hairs);
         const std::optional<MapSampler> natural = samplerOf(head.natural);
-        const LayInputs lay{maps[MapSlot::Direction], natural ? &*natural : nullptr, head.band ? &*m_layField : nullptr,
-                            settings.physics.volumeM, settings.physics.volumeRiseM};
+        const LayInputs lay{maps[MapSlot::Direction],
+                            natural ? &*natural : nullptr,
+                            head.band ? &*m_layField : nullptr,
+                            settings.physics.volumeM,
+                            settings.physics.volumeRiseM,
+                            settings.variation.partGapM,
+                            kPartWavers * settings.variation.parting};
         dirty.hairs.forEach(
             [&](std::uint32_t slot) { dirty.basis.insert(roots->basisSlot[roots->neighbours[slot][0]]); });
         updateBasis(settings, maps, lay, dirty.basis);
@@ -133,7 +138,14 @@ void GroupBuilder::updateLay(const GroomInput::Group& input, const HeadLay& head
 void GroupBuilder::findRelaid(const LayField::Difference& difference, ChangedSlots& dirty) const
 {
     const std::vector<std::uint32_t>& basisSlots = m_roots->basisSlot;
-    m_passed.findPassing(difference.indices, m_layField->cellCount(), dirty.hairs);
+    const VariationSettings& variation = m_groom->settings.variation;
+    if (variation.partGapM > 0.0F) {
+        const float reachM = Lay::partReachM(kPartWavers * variation.parting);
+        m_passed.findPassing(m_layField->band()->around(difference.indices, reachM), m_layField->cellCount(),
+                             dirty.hairs);
+    } else {
+        m_passed.findPassing(difference.indices, m_layField->cellCount(), dirty.hairs);
+    }
     SlotSet basis(basisSlots.size());
     m_passedByBasis.findPassing(difference.indices, m_layField->cellCount(), basis);
     basis.forEach([&](std::uint32_t index) { dirty.basis.insert(basisSlots[index]); });
@@ -146,7 +158,7 @@ void GroupBuilder::startOver(const GroomInput::Group& input, const std::shared_p
         m_locks = LockPartition(*roots, lockSizeM);
         m_lockSizeM = lockSizeM;
     }
-    m_hairline.startOver(roots, input.settings.hairline.softenM);
+    m_hairline.startOver(roots, input.settings.hairline);
     if (roots != m_roots) {
         m_roots = roots;
         // Counted, summed up, filled in.
@@ -219,7 +231,9 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
     BasisStyles& basis = writableBasis();
     const auto nodeCount = static_cast<std::size_t>(settings.nodesPerHair);
     parallelFor(roots.basisSlot.size(), kBasisGrain, [&](std::size_t begin, std::size_t end) {
-        Lay batch(lay, settings.nodesPerHair);
+        LayInputs solved = lay;
+        solved.partGapM = 0.0F;
+        Lay batch(solved, settings.nodesPerHair);
         std::vector<std::size_t> added;
         std::array<glm::vec3, kMostNodes> buffer{};
         std::array<glm::vec3, kMostNodes> bufferBefore{};
@@ -259,9 +273,9 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
                 m_basisChanged[i] = 1;
             }
             basis[BasisQuantity::SegmentLength][i] = lengthM / static_cast<float>(nodeCount - 1);
-            batch.add(layRootOf(settings, roots, slot, chanceOf(roots.seed, roots.rankOfSlot[slot]),
-                                liftOf(settings, coil.radiusM, lengthM)),
-                      lengthM);
+            (void)batch.add(layRootOf(settings, roots, slot, chanceOf(roots.seed, roots.rankOfSlot[slot]),
+                                      liftOf(settings, coil.radiusM, lengthM)),
+                            lengthM);
             added.push_back(i);
             if (batch.isFull())
                 store();

@@ -28,6 +28,7 @@ struct PhysicsSettings
     /// groove; hair that is short gains it sooner. At 0 as steeply as hair bends.
     float volumeRiseM = 0.0F;
     float body = 0.0F; ///< 0..1: how strongly hair keeps out of hair and moves along with it; 0: it does neither.
+    float loft = 0.0F; ///< 0..1: how far roots resist being pressed flat, so that the coat keeps its height at rest.
     friend bool operator==(const PhysicsSettings&, const PhysicsSettings&) = default;
 };
 
@@ -60,6 +61,9 @@ struct VariationSettings
     /// m, 0..0.01: greatest distance from the line of a parting, or from the middle of a whorl, at which a hair lies to
     /// the other side; the line itself wavers by two fifths of it.
     float parting = 0.0F;
+    float mostShorterM = 0.0F; ///< m, 0..0.2: greatest length by which a hair is shorter; 0: as `length` says.
+    float partGapM = 0.0F;     ///< m, 0..0.01: width of the uneven line of skin that a parting bares.
+    float patches = 0.0F;      ///< 0..1: how far density and length differ in soft patches, a thumb wide.
     friend bool operator==(const VariationSettings&, const VariationSettings&) = default;
 };
 
@@ -74,6 +78,7 @@ struct CurlSettings
     float skips = 0.0F;           ///< 0..1: fraction of its turns that a hair leaps over.
     float uncoil = 0.0F;          ///< 0..0.8: fraction by which the turns at the root of long hair are fewer.
     float gather = 0.0F;          ///< 0..1: clump of curled hair where none is painted.
+    float straightM = 0.0F;       ///< m, 0..0.2: a hair is straight over that much from its root.
     friend bool operator==(const CurlSettings&, const CurlSettings&) = default;
 };
 
@@ -94,6 +99,7 @@ struct HairlineSettings
 {
     float softenM = 0.0F; ///< m, 0..0.03: width over which hair grows thinner, shorter and finer towards it.
     float baby = 0.0F;    ///< 0..1: fraction of the hairs at the very edge that are short, fine and a little curled.
+    float uneven = 0.0F;  ///< 0..1: how far the edge wavers, of some millimetres.
     friend bool operator==(const HairlineSettings&, const HairlineSettings&) = default;
 };
 

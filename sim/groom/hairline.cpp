@@ -19,6 +19,10 @@ constexpr float kBareBelow = 0.01F;                     ///< Density.
 constexpr float kProbesApart = 0.4F;                    ///< Of the softened width; closer than roots they are not.
 constexpr float kWavers = 0.4F;                         ///< By how much of itself that width differs,
 constexpr float kRecedes = 0.3F;                        ///< and by how much of it the edge lies further inside.
+/// Where the edge is uneven, it lies further inside by up to so many of those widths; over some 4 cm it comes back.
+constexpr float kRecedesUneven = 1.3F;
+constexpr float kCoarser = 0.55F;
+constexpr float kUnevenPhase = 5.3F;
 constexpr float kPhase = 4.4F;
 constexpr float kEdgePhase = 1.9F;
 constexpr float kFiner = 2.0F; ///< Teeth of the edge than swellings of the width.
@@ -33,25 +37,26 @@ constexpr float kBetweenProbes = 0.4F;
 
 } // namespace
 
-void Hairline::startOver(const std::shared_ptr<const RootSet>& roots, float softenM)
+void Hairline::startOver(const std::shared_ptr<const RootSet>& roots, const HairlineSettings& settings)
 {
-    if (!(softenM > 0.0F)) {
+    if (!(settings.softenM > 0.0F)) {
         *this = Hairline();
         return;
     }
-    if (roots == m_roots && softenM == m_softenM)
+    if (roots == m_roots && settings.softenM == m_softenM && settings.uneven == m_uneven)
         return;
     m_roots = roots;
-    m_softenM = softenM;
-    makeCells(softenM);
+    m_softenM = settings.softenM;
+    m_uneven = settings.uneven;
+    makeCells();
     m_density.assign(roots->count(), 0.0F);
     m_depth.assign(roots->count(), 1.0F);
 }
 
-void Hairline::makeCells(float softenM)
+void Hairline::makeCells()
 {
     const RootSet& roots = *m_roots;
-    m_spacingM = kProbesApart * softenM;
+    m_spacingM = kProbesApart * m_softenM;
     const double wanted = roots.skin->areaM2() / (static_cast<double>(m_spacingM) * static_cast<double>(m_spacingM));
     const auto probes = static_cast<std::size_t>(std::min(wanted, static_cast<double>(roots.count())));
     m_spacingM =
@@ -64,7 +69,8 @@ void Hairline::makeCells(float softenM)
         most = glm::max(most, positionHd);
     }
     const glm::vec3 extent = roots.count() > 0 ? most - least : glm::vec3(0.0F);
-    const float reachM = softenM * (1.0F + kWavers + kRecedes) + kBetweenProbes * m_spacingM;
+    const float reachM =
+        m_softenM * (1.0F + kWavers + kRecedes + kRecedesUneven * m_uneven) + kBetweenProbes * m_spacingM;
     const float cellM = std::max(reachM, std::max({extent.x, extent.y, extent.z}) / kMostCellsAcross);
     m_perCell = 1.0F / cellM;
     m_originHd = least - 1.5F * cellM; // However the positions' cells are rounded.
@@ -173,8 +179,10 @@ float Hairline::depthAt(std::uint32_t slot) const
     const glm::vec3 rootHd = roots.positionHd[slot];
     const glm::vec3 normalHd = roots.normalHd[slot];
     const float widthM = m_softenM * (1.0F + kWavers * wavering(rootHd, kPhase));
-    const float insetM =
+    float insetM =
         kBetweenProbes * m_spacingM + m_softenM * kRecedes * std::max(wavering(rootHd * kFiner, kEdgePhase), 0.0F);
+    if (m_uneven > 0.0F)
+        insetM += m_softenM * kRecedesUneven * m_uneven * (0.5F + 0.5F * wavering(rootHd * kCoarser, kUnevenPhase));
     const float mostM2 = (widthM + insetM) * (widthM + insetM);
     float least = mostM2;
     // How far the cells before, the same and those after it are, on each axis.
@@ -205,6 +213,17 @@ float densityAtDepth(float depth)
 {
     constexpr float kAtEdge = 0.1F;
     return kAtEdge + (1.0F - kAtEdge) * depth * (2.0F - depth);
+}
+
+HairVariation variationAt(const GroupSettings& settings, const RootSet& roots, const Hairline& hairline,
+                          std::uint32_t slot, float lengthM)
+{
+    const std::uint32_t rank = roots.rankOfSlot[slot];
+    HairVariation own = variationOf(settings.variation, roots.seed, rank);
+    own.length = lengthLeft(settings.variation, own.length, lengthM, roots.positionHd[slot]);
+    if (!hairline.isOff())
+        thinAtDepth(settings.hairline.baby, hairline.depth(slot), roots.seed, rank, own);
+    return own;
 }
 
 void thinAtDepth(float baby, float depth, std::uint64_t seed, std::uint32_t rank, HairVariation& own)

@@ -21,8 +21,8 @@ namespace hairpaint::sim {
 class Hairline
 {
 public:
-    /// At a `softenM` of 0 it is off: it holds nothing and takes no time.
-    void startOver(const std::shared_ptr<const RootSet>& roots, float softenM);
+    /// At a width of 0 it is off: it holds nothing and takes no time.
+    void startOver(const std::shared_ptr<const RootSet>& roots, const HairlineSettings& settings);
     [[nodiscard]] bool isOff() const { return m_depth.empty(); }
 
     /// Reads the density of roots of `dirty` again, and adds those that are as deep no longer. Uses parallelFor.
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] float depth(std::uint32_t slot) const { return m_depth[slot]; }
 
 private:
-    void makeCells(float softenM);
+    void makeCells();
     [[nodiscard]] std::size_t cellOf(glm::vec3 positionHd) const;
     /// Brings what is bare up to date; marks the cells in whose reach that differs.
     void readBare(const SlotSet& dirty, std::vector<std::uint8_t>& differs);
@@ -45,6 +45,7 @@ private:
 
     std::shared_ptr<const RootSet> m_roots;
     float m_softenM = 0.0F;
+    float m_uneven = 0.0F;
     float m_spacingM = 0.0F; ///< Of the probes.
     glm::vec3 m_originHd{0.0F};
     float m_perCell = 0.0F;                 ///< 1/m; a cell is as large as the reach of an edge.
@@ -63,6 +64,9 @@ private:
 
 /// Part of the density that is left at a depth.
 [[nodiscard]] float densityAtDepth(float depth);
+/// What chance and the hairline make of a hair that its map and curl give `lengthM`.
+[[nodiscard]] HairVariation variationAt(const GroupSettings& settings, const RootSet& roots, const Hairline& hairline,
+                                        std::uint32_t slot, float lengthM);
 /// Makes a hair at a depth shorter and finer, and some of them baby hairs. Nothing at 1.
 void thinAtDepth(float baby, float depth, std::uint64_t seed, std::uint32_t rank, HairVariation& own);
 

@@ -1,12 +1,24 @@
 // The hairs' constants into lanes.
 #include "sim/groom/lay.h"
 
+#include "sim/groom/curve_constants.h"
 #include "sim/groom/rest_shape.h"
+#include "sim/groom/variation.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace hairpaint::sim {
+
+namespace {
+
+/// A parting is looked for between points so far to each side of a root,
+constexpr float kProbeM = 0.005F;
+/// and found between points that are so far apart, so many to each side of it.
+constexpr float kStepM = 0.0015F;
+constexpr int kSteps = 3;
+
+} // namespace
 
 bool isUpright(const MapSampler& direction)
 {
@@ -21,7 +33,7 @@ std::size_t Lay::mostPassed(int nodes)
     return std::max(static_cast<std::size_t>(nodes - 1), kOfShortSteps) + 1; // That to which it has strayed.
 }
 
-void Lay::add(const LayRoot& root, float lengthM)
+bool Lay::add(const LayRoot& root, float lengthM)
 {
     const float falls = fallFraction(lengthM);
     const DirectionVector painted = m_inputs.direction.vector(root.uv);
@@ -35,7 +47,13 @@ void Lay::add(const LayRoot& root, float lengthM)
     const glm::vec3 growth = strays ? strayed(root, falls, own) : own;
     const float square = std::min(glm::dot(growth, growth), 1.0F);
     const glm::vec3 direction = growth + root.frame.normal * std::sqrt(1.0F - square);
-    const float segmentM = lengthM / static_cast<float>(m_nodes - 1);
+    constexpr float kShortestPartedM = 0.02F; ///< Shorter hair shows its skin anyway,
+    constexpr float kLongPartedM = 0.06F;     ///< and from here on a parting is as wide as it gets.
+    const float parted = std::min((lengthM - kShortestPartedM) / (kLongPartedM - kShortestPartedM), 1.0F);
+    const bool isDrawn =
+        !(m_inputs.partGapM > 0.0F && m_inputs.field != nullptr && parted > 0.0F &&
+          square > kStandsBelow * kStandsBelow && isBare(root, falls, own, m_inputs.partGapM * parted));
+    const float segmentM = isDrawn ? lengthM / static_cast<float>(m_nodes - 1) : 0.0F;
     const std::size_t lane = m_count++;
     for (int axis = 0; axis < 3; ++axis) {
         m_lanes.rootHd[static_cast<std::size_t>(axis)][lane] = root.positionHd[axis];
@@ -47,12 +65,74 @@ void Lay::add(const LayRoot& root, float lengthM)
     m_lanes.coatM[lane] = std::min(m_inputs.coatM, 0.001F + 0.12F * lengthM) * (0.3F + 0.7F * root.chance);
     m_lanes.liftM[lane] = root.liftM;
     constexpr float kRisesWithin = 0.4F; // Of the length.
-    const float riseM = std::min(m_inputs.coatRiseM, kRisesWithin * lengthM);
-    m_lanes.perRise[lane] = riseM > 0.0F && root.liftM == 0.0F ? 1.0F / riseM : 0.0F; // A coil needs its room at once.
-    constexpr float kAcrossM = 0.009F;                                                // A parting, two cells wide.
+    float riseM = std::min(m_inputs.coatRiseM, kRisesWithin * lengthM);
+    if (root.liftM > 0.0F && root.liftRises) {
+        riseM = std::min(riseM, kCoilEaseRadii * root.liftM);
+        m_lanes.coatM[lane] += root.liftM;
+        m_lanes.liftM[lane] = 0.0F;
+    } else if (root.liftM > 0.0F) {
+        riseM = 0.0F; // A coil needs its room at once.
+    }
+    m_lanes.perRise[lane] = riseM > 0.0F ? 1.0F / riseM : 0.0F;
+    constexpr float kAcrossM = 0.009F; // A parting, two cells wide.
     m_lanes.keepsM[lane] = strays && growth != own ? kAcrossM : 0.0F;
     m_lanes.lies[lane] = square > kStandsBelow * kStandsBelow ? 1.0F : 0.0F;
     m_isUpright[lane] = square == 0.0F;
+    return isDrawn;
+}
+
+bool Lay::isBare(const LayRoot& root, float falls, glm::vec3 growth, float gapM) const
+{
+    constexpr float kDiverges = 1.0F; ///< Directions on both sides, by twice their length at most;
+    constexpr float kOneWay = 0.5F;   ///< in a whorl they do so along the other axis, too.
+    const SkinBand& band = *m_inputs.field->band();
+    const LayCell* cells = m_inputs.field->cells();
+    const float flatness = std::sqrt(glm::dot(growth, growth));
+    if (flatness < kStandsBelow)
+        return false;
+    const glm::vec3 along = growth / flatness;
+    const auto at = [&](glm::vec3 offset, glm::vec3 axis) {
+        const std::int32_t cell = band.cellAt(root.positionHd + offset);
+        return glm::dot(cell == SkinBand::kNone ? growth : cells[cell].directions.of(falls), axis);
+    };
+    // Hair flows away from a parting, and along it on the line itself.
+    const float behind = flatness - at(along * -kProbeM, along);
+    const glm::vec3 side = glm::cross(root.frame.normal, along);
+    const float beside = at(side * kProbeM, side) - at(side * -kProbeM, side);
+    if (std::max(behind, beside) < kDiverges || std::min(behind, beside) > kOneWay)
+        return false;
+
+    constexpr float kWaverPhase = 2.6F;
+    constexpr float kFiner = 1.7F;
+    constexpr float kUneven = 0.35F; ///< Of its width;
+    constexpr float kFrayed = 0.4F;  ///< and by how much of that single hairs differ.
+    const glm::vec3 across = behind > beside ? along : side;
+    const glm::vec3 offset = root.frame.x * (m_inputs.partWaversM * wavering(root.positionHd, 0.0F)) +
+                             root.frame.y * (m_inputs.partWaversM * wavering(root.positionHd, kPartAlongPhase));
+    const float half = 0.5F * gapM * (1.0F + kUneven * wavering(root.positionHd * kFiner, kWaverPhase)) *
+                       (1.0F + kFrayed * (root.chance - 0.5F));
+    // Between the points of two cells that are of two sides.
+    float beforeM = 0.0F;
+    float beforeTo = 1.0F;
+    for (int step = -kSteps; step <= kSteps; ++step) {
+        const std::int32_t cell = band.cellAt(root.positionHd + offset + across * (kStepM * static_cast<float>(step)));
+        if (cell == SkinBand::kNone)
+            continue;
+        const float atM =
+            glm::dot(band.cells()[static_cast<std::size_t>(cell)].positionHd - root.positionHd - offset, across);
+        const float to = glm::dot(cells[cell].directions.of(falls), across);
+        if (beforeTo < 0.0F && to >= 0.0F && std::abs(beforeM + (atM - beforeM) * (beforeTo / (beforeTo - to))) < half)
+            return true;
+        beforeM = atM;
+        beforeTo = to;
+    }
+    return false;
+}
+
+float Lay::partReachM(float partWaversM)
+{
+    constexpr float kDiagonal = 1.42F;
+    return std::max(kProbeM, kDiagonal * partWaversM + kStepM * static_cast<float>(kSteps));
 }
 
 void Lay::lay()

@@ -22,7 +22,8 @@ struct LayRoot
     float chance = 0.5F; ///< 0..1, the hair's own: its height in the coat.
     /// From where on the skin it takes its direction, from the root; 0 unless it is one that may cross a parting.
     glm::vec3 strayHd{0.0F};
-    float liftM = 0.0F; ///< Above that height: the room below a coil's middle.
+    float liftM = 0.0F;     ///< Above that height: the room below a coil's middle,
+    bool liftRises = false; ///< which it is given as the coil opens, and not at once.
 };
 
 /// Whether a direction map lets every hair stand along its normal.
@@ -36,6 +37,8 @@ struct LayInputs
     const LayField* field = nullptr;     ///< Of that map; null where isUpright(direction).
     float coatM = 0.0F;                  ///< Thickness of the coat.
     float coatRiseM = 0.0F;              ///< Along which it is gained; see PhysicsSettings::volumeRiseM.
+    float partGapM = 0.0F;               ///< See VariationSettings::partGapM; 0 for hairs that are solved.
+    float partWaversM = 0.0F;            ///< By how much, at most, the line of a parting does.
 };
 
 /// Lays up to kLanes hairs at once. How one lies does not depend on the others. One thread; must not outlive its
@@ -47,8 +50,9 @@ public:
 
     void clear() { m_count = 0; }
     [[nodiscard]] bool isFull() const { return m_count == kLanes; }
-    void add(const LayRoot& root, float lengthM); ///< Must not be full.
-    void lay();                                   ///< All that were added since clear().
+    /// Must not be full. False where a parting bares the skin: the hair is laid as one without length.
+    [[nodiscard]] bool add(const LayRoot& root, float lengthM);
+    void lay(); ///< All that were added since clear().
 
     /// The skeletons in the order in which they were added, nodes evenly spaced: [nodes][3][kLanes], Hd. A direction of
     /// zero length gives a straight line along the normal. Whoever laid them may draw them on.
@@ -59,6 +63,9 @@ public:
     }
     /// The field's cells that it depends on, beside its root's own direction; SkinBand::kNone behind them.
     [[nodiscard]] std::span<const std::int32_t> passed(std::size_t hair) const;
+
+    /// How far from a root the field tells whether a parting bares it.
+    [[nodiscard]] static float partReachM(float partWaversM);
 
     /// The length of passed().
     [[nodiscard]] static std::size_t mostPassed(int nodes);
@@ -71,6 +78,9 @@ private:
     /// `growth`, or that beyond a parting that is nearer than the hair strays; notes the cell that it depends on. Of a
     /// hair that strays, over a field.
     [[nodiscard]] glm::vec3 strayed(const LayRoot& root, float falls, glm::vec3 growth);
+
+    /// Whether a root whose hair grows along `growth` is on the line that a parting bares.
+    [[nodiscard]] bool isBare(const LayRoot& root, float falls, glm::vec3 growth, float gapM) const;
 
     LayInputs m_inputs;
     int m_nodes;

@@ -176,7 +176,8 @@ glm::vec3 coilOffset(const StrandStyle& style, const CurlSettings& curl, float s
                                   .switchbacksPerM = curl.switchbacksPerM,
                                   .skips = curl.skips,
                                   .flatness = curl.flatness,
-                                  .uncoil = curl.uncoil},
+                                  .uncoil = curl.uncoil,
+                                  .straightM = curl.straightM},
                                  s);
 }
 

@@ -113,17 +113,39 @@ glm::vec3 strayOf(const VariationSettings& settings, std::uint64_t seed, std::ui
 {
     if (settings.parting <= 0.0F)
         return glm::vec3(0.0F);
-    constexpr float kOfLine = 0.4F;
     constexpr float kCrossing = 0.25F; // Of the hairs; the others keep close to the line.
     constexpr float kClose = 0.3F;
-    constexpr float kOtherPhase = 2.1F;
     const Chances chances(seed, rank);
     const float reach = chances.unit(Crosses) < kCrossing ? 1.0F : kClose;
     const auto offset = [&](Which which, float phase) {
         const float own = reach * (2.0F * chances.unit(which) - 1.0F);
-        return settings.parting * (kOfLine * wavering(rootHd, phase) + (1.0F - kOfLine) * own);
+        return settings.parting * (kPartWavers * wavering(rootHd, phase) + (1.0F - kPartWavers) * own);
     };
-    return frame.x * offset(StrayAcross, 0.0F) + frame.y * offset(StrayAlong, kOtherPhase);
+    return frame.x * offset(StrayAcross, 0.0F) + frame.y * offset(StrayAlong, kPartAlongPhase);
+}
+
+float lengthLeft(const VariationSettings& settings, float ownLength, float lengthM, glm::vec3 rootHd)
+{
+    constexpr float kOfPatches = 0.1F;
+    constexpr float kAcross = 0.45F; ///< Of how fast it wavers: patches some 5 cm apart.
+    constexpr float kPhase = 3.3F;
+    const float most = settings.mostShorterM > 0.0F ? settings.mostShorterM / std::max(lengthM, 1e-4F) : 1.0F;
+    float left = std::max(ownLength, 1.0F - most);
+    if (settings.patches > 0.0F) {
+        const float in = 0.5F + 0.5F * wavering(rootHd * kAcross, kPhase);
+        left *= 1.0F - settings.patches * in * std::min(kOfPatches, most);
+    }
+    return left;
+}
+
+float densityLeft(const VariationSettings& settings, glm::vec3 rootHd)
+{
+    constexpr float kThinnest = 0.5F;
+    constexpr float kAcross = 0.5F;
+    constexpr float kPhase = 0.7F;
+    if (settings.patches <= 0.0F)
+        return 1.0F;
+    return 1.0F - settings.patches * (1.0F - kThinnest) * (0.5F + 0.5F * wavering(rootHd * kAcross, kPhase));
 }
 
 glm::vec3 greyed(glm::vec3 colour, float chance)

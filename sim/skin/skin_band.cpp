@@ -102,6 +102,9 @@ SkinBand::SkinBand(const Skin& skin)
         }
         layerBegin = layerEnd;
     }
+    m_gridIndex.reserve(filled.size());
+    for (const glm::ivec3& cell : filled)
+        m_gridIndex.push_back(static_cast<std::uint32_t>(indexOfCell(cell)));
     m_cells.resize(seeds.size());
     parallelFor(seeds.size(), 2048, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -119,6 +122,30 @@ std::int32_t SkinBand::cellAt(glm::vec3 positionHd) const
         return kNone;
     const glm::u64vec3 cell(at);
     return m_index[(cell.z * m_rows + cell.y) * m_columns + cell.x];
+}
+
+std::vector<std::uint32_t> SkinBand::around(std::span<const std::uint32_t> cells, float reachM) const
+{
+    // The outermost cells of the grid are empty.
+    const auto reach = static_cast<std::int64_t>(std::ceil(reachM * m_perCell));
+    const auto columns = static_cast<std::int64_t>(m_columns);
+    const auto layer = columns * static_cast<std::int64_t>(m_rows);
+    const auto size = static_cast<std::int64_t>(m_index.size());
+    std::vector<std::uint8_t> isAround(m_cells.size(), 0);
+    std::vector<std::uint32_t> found;
+    for (const std::uint32_t cell : cells)
+        for (std::int64_t z = -reach; z <= reach; ++z)
+            for (std::int64_t y = -reach; y <= reach; ++y)
+                for (std::int64_t x = -reach; x <= reach; ++x) {
+                    const std::int64_t at = static_cast<std::int64_t>(m_gridIndex[cell]) + z * layer + y * columns + x;
+                    const std::int32_t index = at >= 0 && at < size ? m_index[static_cast<std::size_t>(at)] : kNone;
+                    if (index == kNone || isAround[static_cast<std::size_t>(index)] != 0)
+                        continue;
+                    isAround[static_cast<std::size_t>(index)] = 1;
+                    found.push_back(static_cast<std::uint32_t>(index));
+                }
+    std::ranges::sort(found);
+    return found;
 }
 
 } // namespace hairpaint::sim

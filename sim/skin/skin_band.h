@@ -41,6 +41,8 @@ public:
     [[nodiscard]] Grid grid() const { return {m_index.data(), m_originHd, m_size, m_perCell}; }
     [[nodiscard]] std::span<const Cell> cells() const { return m_cells; }
     [[nodiscard]] std::int32_t cellAt(glm::vec3 positionHd) const; ///< See Grid.
+    /// All cells in which a position may be that is no further than `reachM` from one in any of the cells; rising.
+    [[nodiscard]] std::vector<std::uint32_t> around(std::span<const std::uint32_t> cells, float reachM) const;
 
 private:
     glm::vec3 m_originHd{0.0F};
@@ -50,6 +52,7 @@ private:
     std::size_t m_rows = 0;
     std::vector<std::int32_t> m_index; ///< [z][y][x]
     std::vector<Cell> m_cells;
+    std::vector<std::uint32_t> m_gridIndex; ///< Of each cell, in m_index.
 };
 
 } // namespace hairpaint::sim

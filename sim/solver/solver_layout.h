@@ -19,6 +19,7 @@ enum LaneField : std::uint8_t
     kInverseSquare, ///< 1/length^2
     kBend,          ///< Stiffness against bending of a step, see bendingGain().
     kHold,          ///< Strength of the spring to the rest shape of a step, see holdGain().
+    kLoft,          ///< Strength of that spring at the root, falling off over kLoftM, of what keeps a coat's height.
     kHoldKeep,      ///< Fraction of the motion against the head that the held shape leaves, 0..1.
     kLieX,          ///< Unit vector in which the strand leaves the skin.
     kLieY,
@@ -46,6 +47,7 @@ enum LaneField : std::uint8_t
 
 /// A braid reaches its girth over half a turn from its root: by this fraction of the length along it.
 inline constexpr float kGirthSlope = 0.4F;
+inline constexpr float kLoftM = 0.12F; ///< Along a hair: over so much of it the coat carries itself.
 inline constexpr float kUnwanted = 1e30F;
 inline constexpr float kStillSteps = 60.0F; ///< A strand that lay still for so long falls asleep.
 inline constexpr float kStillM = 2e-4F;     ///< What counts as lying still: middle and tip move no farther than this.

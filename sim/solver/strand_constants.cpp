@@ -100,6 +100,12 @@ float holdGain(float gel)
     return kGravity * kStep * kStep / kSagM * ((expDet(kLn2 * 10.0F * amount) - 1.0F) / (7.0F * left));
 }
 
+float loftGain(float loft)
+{
+    constexpr float kSagM = 0.0025F; ///< Of all of it, at the root.
+    return loft > 0.0F ? kGravity * kStep * kStep / kSagM * std::min(loft, 1.0F) : 0.0F;
+}
+
 float coatM(float height, float volumeM, float segmentM)
 {
     return std::min(height * volumeM, 0.5F * segmentM);
@@ -124,6 +130,7 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
     state.field(basisIndex, kInverseSquare) = segment > 0.0F ? 1.0F / (segment * segment) : 0.0F;
     state.field(basisIndex, kBend) = bendingGain(physics.stiffnessM, segment);
     state.field(basisIndex, kHold) = hold;
+    state.field(basisIndex, kLoft) = loftGain(physics.loft);
     state.field(basisIndex, kHoldKeep) = damped(hold / (1.0F + hold));
     state.field(basisIndex, kLieX) = lie.x;
     state.field(basisIndex, kLieY) = lie.y;

@@ -99,6 +99,25 @@ inline float coatM(const Strands& hairs, const sim::Skin& skin, double fraction)
     return quantileOf(std::move(heights), fraction);
 }
 
+/// Height in which four fifths of the tips behind the back are, in the middle of its strips of 2 cm.
+inline float tipSpreadM(const Strands& hairs)
+{
+    constexpr int kStrips = 8;
+    constexpr float kStripM = 0.02F;
+    std::array<std::vector<float>, kStrips> tips;
+    for (const std::vector<glm::vec3>& hair : hairs) {
+        const glm::vec3 tip = hair.back();
+        const int strip = static_cast<int>(std::floor(tip.x / kStripM + 0.5F * kStrips));
+        if (tip.z < -0.05F && strip >= 0 && strip < kStrips)
+            tips[static_cast<std::size_t>(strip)].push_back(tip.y);
+    }
+    std::vector<float> spreads;
+    for (const std::vector<float>& strip : tips)
+        if (strip.size() > 20)
+            spreads.push_back(quantileOf(strip, 0.9) - quantileOf(strip, 0.1));
+    return quantileOf(std::move(spreads), 0.5);
+}
+
 /// How far the outline seen from behind lies below a straight line between two of its points, above the ears.
 inline float dentM(const Strands& hairs)
 {

@@ -107,17 +107,22 @@ private:
 private Q_SLOTS:
     void someHairsCrossOthers_data() { onHeads({"Long straight", "Ringlets", "Round afro"}); }
     void someHairsCrossOthers();
+    void tipsOfOneCutEndTogether_data() { onHeads({"Long straight"}); }
+    void tipsOfOneCutEndTogether();
     void cutHairEnds_data() { onHeads({"Long straight", "Ringlets", "Round afro"}); }
     void cutHairEnds();
     void coilsAreAsLargeAsIsSet_data() { onHeads({"Ringlets", "Round afro"}); }
     void coilsAreAsLargeAsIsSet();
     void theCrownIsClosed_data() { onHeads({"Long straight", "Ringlets", "Round afro"}); }
     void theCrownIsClosed();
-    void theOutlineFromBehindHasNoDent_data() { onHeads({"Long straight", "Round afro"}); }
+    void theOutlineFromBehindHasNoDent_data()
+    {
+        onHeads({"Long straight", "Round afro", "Bob", "Split dye", "Side part"});
+    }
     void theOutlineFromBehindHasNoDent();
     void aPartingWaversAndIsCrossed_data() { onHeads({"Long straight"}); }
     void aPartingWaversAndIsCrossed();
-    void aGapIsAsWideAsAPartingIs_data() { onHeads({"Split dye"}); }
+    void aGapIsAsWideAsAPartingIs_data() { onHeads({"Split dye", "Long straight", "Bob"}); }
     void aGapIsAsWideAsAPartingIs();
     void hairOnShouldersLiesOrFalls_data() { onHeads({"Long straight"}); }
     void hairOnShouldersLiesOrFalls();
@@ -134,6 +139,15 @@ void TestStyleMeasures::someHairsCrossOthers()
     // "Some hairs cross others. Not one style is made of parallels."
     const double fraction = crossingFraction(settled(head, style).fallen);
     QVERIFY2(fraction > 0.25, qPrintable(QString::number(fraction)));
+}
+
+void TestStyleMeasures::tipsOfOneCutEndTogether()
+{
+    QFETCH(QString, head);
+    QFETCH(QString, style);
+    // "Cut hair ends within some mm of a line": behind, where nothing lies on a shoulder.
+    const float found = tipSpreadM(settled(head, style).fallen);
+    QVERIFY2(found < 0.02F, qPrintable(QString::number(found)));
 }
 
 void TestStyleMeasures::cutHairEnds()
@@ -208,10 +222,11 @@ void TestStyleMeasures::aGapIsAsWideAsAPartingIs()
 {
     QFETCH(QString, head);
     QFETCH(QString, style);
-    // "Gap of 1 to 2 mm (density of roots over the line)."
+    // "Gap of 1 to 2 mm (density of roots over the line)" where it was drawn; twice that where hair alone tells it.
     const app::SettledHair grown(*projectOn(head, style), 0.0); // Where its roots are.
     const float found = partOf(exported(grown, std::nullopt)).gapM;
-    QVERIFY2(found >= 0.001F && found <= 0.002F, qPrintable(QString::number(found)));
+    const float wide = style == QLatin1StringView("Split dye") ? 1.0F : 2.0F;
+    QVERIFY2(found >= 0.001F * wide && found <= 0.002F * wide, qPrintable(QString::number(found)));
 }
 
 void TestStyleMeasures::hairOnShouldersLiesOrFalls()

@@ -50,8 +50,14 @@ void groomBuild(benchmark::State& state)
         settings.locks = {
             .sizeM = 0.014F, .small = 0.4F, .flatness = 0.3F, .twistsPerM = 2.0F, .ragged = 0.5F, .parting = 0.3F};
     }
-    if (state.range(1) > 3)
-        input.groups.front().settings.hairline = {.softenM = 0.008F, .baby = 0.35F};
+    if (state.range(1) > 3) {
+        input.groups.front().settings.hairline = {.softenM = 0.008F, .baby = 0.35F, .uneven = 0.5F};
+        sim::VariationSettings& variation = input.groups.front().settings.variation;
+        variation.parting = 0.004F;
+        variation.mostShorterM = 0.015F;
+        variation.partGapM = 0.003F;
+        variation.patches = 0.3F;
+    }
     sim::GroomBuilder builder;
     benchmark::DoNotOptimize(builder.update(input));
     std::uint16_t length = 20000;

@@ -86,8 +86,12 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
     sim::GroupSettings settings;
     if (braid == kCoiled) {
         settings.turnsMode = sim::TurnsMode::Coils;
-        settings.curl = {
-            .flatness = 0.3F, .inStepFromM = 0.05F, .switchbacksPerM = 12.0F, .skips = 0.2F, .uncoil = 0.25F};
+        settings.curl = {.flatness = 0.3F,
+                         .inStepFromM = 0.05F,
+                         .switchbacksPerM = 12.0F,
+                         .skips = 0.2F,
+                         .uncoil = 0.25F,
+                         .straightM = 0.006F};
     }
     auto frame = makeFrame(strands, settings);
     if (turned)

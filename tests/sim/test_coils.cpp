@@ -122,6 +122,18 @@ class TestCoils : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
+    void hairIsStraightAtItsRootAsFarAsIsSet()
+    {
+        const auto offM = [](float straightM, float alongM) {
+            const CurlSettings curl{.diameterM = 0.015F, .pitchM = 0.04F, .straightM = straightM};
+            const StrandStyle style = coiled(curl, 0.2F, 1.0F, 0.2F);
+            return glm::length(coilOffset(style, curl, alongM / style.lengthM));
+        };
+        QVERIFY(offM(0.0F, 0.015F) > 0.001F);
+        QCOMPARE(offM(0.02F, 0.015F), 0.0F);
+        QVERIFY(std::abs(offM(0.02F, 0.1F) - 0.0075F) < 1e-4F);
+        QVERIFY(offM(0.19F, 0.06F) > 0.0F); // No more than a quarter of it.
+    }
     void aCoilMeasuresWhatWasSet_data()
     {
         QTest::addColumn<float>("diameterMm");

@@ -26,9 +26,16 @@ GroomInput startInput()
     group.settings.greatestDensityPerM2 = 1e5F;
     group.settings.basisHairs = 512;
     group.maps[MapSlot::Density] = uniformMap(0.6F);
-    group.settings.variation = {
-        .length = 0.1F, .curl = 0.2F, .width = 0.2F, .crossing = 0.05F, .flyaways = 0.05F, .parting = 0.006F};
-    group.settings.hairline = {.softenM = 0.01F, .baby = 0.3F};
+    group.settings.variation = {.length = 0.1F,
+                                .curl = 0.2F,
+                                .width = 0.2F,
+                                .crossing = 0.05F,
+                                .flyaways = 0.05F,
+                                .parting = 0.006F,
+                                .mostShorterM = 0.01F,
+                                .partGapM = 0.004F,
+                                .patches = 0.5F};
+    group.settings.hairline = {.softenM = 0.01F, .baby = 0.3F, .uneven = 0.5F};
     group.settings.physics.volumeRiseM = 0.03F;
     group.maps[MapSlot::Curl] = uniformMap(0.3F);
     return inputOf(std::make_shared<const Skin>(makeBallHead(48, 0.1F)), group);
@@ -354,6 +361,10 @@ void TestGroomUpdates::settingsThatChangeTheHairsEqualAFreshBuild_data()
     });
     row("parting", [](GroomInput& i) { i.groups[0].settings.variation.parting = 0.001F; });
     row("hairline", [](GroomInput& i) { i.groups[0].settings.hairline = {.softenM = 0.005F, .baby = 0.2F}; });
+    row("uneven hairline", [](GroomInput& i) { i.groups[0].settings.hairline.uneven = 0.9F; });
+    row("bounded lengths", [](GroomInput& i) { i.groups[0].settings.variation.mostShorterM = 0.002F; });
+    row("bare parting", [](GroomInput& i) { i.groups[0].settings.variation.partGapM = 0.009F; });
+    row("patches", [](GroomInput& i) { i.groups[0].settings.variation.patches = 0.9F; });
     row("rise of the volume", [](GroomInput& i) { i.groups[0].settings.physics.volumeRiseM = 0.06F; });
     row("braid spacing", [](GroomInput& i) { i.groups[0].settings.braidSpacingM = 0.05F; });
     row("seed", [](GroomInput& i) { i.seed = 2; });

@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -97,6 +98,24 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < plain->chunks.size(); ++i)
             QVERIFY(sameBytes(plain->chunks[i]->restPositions, soft->chunks[i]->restPositions) &&
                     sameBytes(plain->chunks[i]->styles, soft->chunks[i]->styles));
+    }
+
+    void anUnevenEdgeLiesFurtherInsideHereThanThere()
+    {
+        const auto deepest = [](float uneven) {
+            const auto groom = groomOf(halfPatch(1.0F, 0.0F, {.softenM = kSoftenM, .uneven = uneven}));
+            // Hairs within 8 mm of the middle, in ten strips from top to bottom.
+            std::array<int, 10> hairs{};
+            const RootSet& roots = *groom->roots;
+            for (std::uint32_t slot = 0; slot < roots.count(); ++slot)
+                if (groom->isDrawn(slot) && (0.5F - roots.uv[slot].x) * 0.2F < 0.008F)
+                    ++hairs[std::min<std::size_t>(static_cast<std::size_t>(roots.uv[slot].y * 10.0F), 9)];
+            return std::pair(*std::ranges::min_element(hairs), *std::ranges::max_element(hairs));
+        };
+        const auto [evenLeast, evenMost] = deepest(0.0F);
+        const auto [least, most] = deepest(1.0F);
+        QVERIFY2(evenMost < 2 * evenLeast, qPrintable(QStringLiteral("%1 %2").arg(evenLeast).arg(evenMost)));
+        QVERIFY2(most > 2 * least, qPrintable(QStringLiteral("%1 %2").arg(least).arg(most)));
     }
 
     void babyHairsAreShortFewAndAtTheEdge()

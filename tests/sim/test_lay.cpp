@@ -55,18 +55,29 @@ public:
                  .coatM = m_coatM,
                  .coatRiseM = more.coatRiseM},
                 kNodes);
-        lay.add({.positionHd = point.positionHd,
-                 .frame = SkinFrame::at(point),
-                 .uv = point.uv,
-                 .chance = chance,
-                 .strayHd = more.strayHd},
-                lengthM);
+        (void)lay.add({.positionHd = point.positionHd,
+                       .frame = SkinFrame::at(point),
+                       .uv = point.uv,
+                       .chance = chance,
+                       .strayHd = more.strayHd},
+                      lengthM);
         lay.lay();
         if (more.passed != nullptr)
             more.passed->assign(lay.passed(0).begin(), lay.passed(0).end());
         Nodes nodes;
         lay.read(0, nodes);
         return nodes;
+    }
+    /// Whether a hair grows there beside a parting that bares so much.
+    [[nodiscard]] bool grows(glm::vec3 at, float lengthM, float partGapM) const
+    {
+        const SurfacePoint point = m_skin.nearest(kBallM * glm::normalize(at));
+        Lay lay({.direction = m_sampler,
+                 .natural = m_naturalSampler ? &*m_naturalSampler : nullptr,
+                 .field = &m_field,
+                 .partGapM = partGapM},
+                kNodes);
+        return lay.add({.positionHd = point.positionHd, .frame = SkinFrame::at(point), .uv = point.uv}, lengthM);
     }
     [[nodiscard]] std::int32_t cellAt(glm::vec3 hd) const { return m_band->cellAt(hd); }
     [[nodiscard]] SkinFrame frameAt(glm::vec3 at) const
@@ -102,6 +113,7 @@ private Q_SLOTS:
     void fieldsThatStandHoldNothing();
     void longHairFallsToItsSideWhereNobodyCombed();
     void hairThatStraysAcrossAPartingLiesToItsOtherSide();
+    void aPartingBaresAsMuchAsIsSet();
     void theCoatRisesFromTheRoots();
 };
 
@@ -208,6 +220,29 @@ void TestLay::hairThatStraysAcrossAPartingLiesToItsOtherSide()
     QVERIFY(ball.cellAt(rootHd + strayHd) != SkinBand::kNone);
     // Where hairs around lie as it does it keeps every bit.
     QCOMPARE(ball.lay(kSide, 0.25F, 0.5F, {.strayHd = strayHd}), ball.lay(kSide, 0.25F));
+}
+
+void TestLay::aPartingBaresAsMuchAsIsSet()
+{
+    // Long hair falls to both sides of the middle, from the forehead to behind the top.
+    const LaidBall ball({0.0F, 0.0F}, 0.004F, true);
+    constexpr float kGapM = 0.004F;
+    constexpr float kStepM = 0.0002F;
+    float bareM = 0.0F;
+    constexpr int kLines = 12;
+    for (int line = 0; line < kLines; ++line)
+        for (int step = -40; step <= 40; ++step) {
+            const glm::vec3 at(kStepM * static_cast<float>(step), kBallM, 0.02F + 0.0035F * static_cast<float>(line));
+            QVERIFY(ball.grows(at, 0.25F, 0.0F) && ball.grows(at, 0.015F, kGapM));
+            if (ball.grows(at, 0.25F, kGapM))
+                continue;
+            bareM += kStepM / kLines;
+            QVERIFY2(std::abs(at.x) < kGapM, qPrintable(QString::number(at.x)));
+        }
+    QVERIFY2(std::abs(bareM / kGapM - 1.0F) < 0.25F, qPrintable(QString::number(bareM)));
+    // Beside it, and where hair goes one way, all of it grows.
+    for (const glm::vec3 at : {kSide, glm::vec3(0.01F, kBallM, 0.02F), glm::vec3(0.0F, 0.0F, -kBallM)})
+        QVERIFY(ball.grows(at, 0.25F, kGapM));
 }
 
 void TestLay::theCoatRisesFromTheRoots()

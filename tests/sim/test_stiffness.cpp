@@ -20,6 +20,7 @@ private Q_SLOTS:
     void aCantileverBendsAsElasticaDo_data();
     void aCantileverBendsAsElasticaDo();
     void eachTenthOfGelIsStiffer();
+    void loftCarriesHairNearItsRootAlone();
     void hairThatIsLaidInSharpTurnsComesToRest();
     void coilsBounceAndComeToRestAtTheirLength();
 };
@@ -116,6 +117,28 @@ void TestStiffness::eachTenthOfGelIsStiffer()
         qInfo("gel %.1f: the tip yields by %.2f mm", static_cast<double>(gel), static_cast<double>(shift) * 1e3);
         before = shift;
     }
+}
+
+void TestStiffness::loftCarriesHairNearItsRootAlone()
+{
+    const auto hung = [](float loft, float lengthM) {
+        PhysicsSettings physics = barePhysics();
+        physics.stiffnessM = 0.01F;
+        physics.damping = 6.0F;
+        physics.loft = loft;
+        GroupDynamics hair;
+        hair.setGroom(groomOf({{glm::vec3(0.0F), glm::vec3(1.0F, 0.0F, 0.0F), lengthM}}, 16, physics), {},
+                      WindField::calm({}));
+        fall(hair, 600);
+        return std::pair(nodeOf(hair, 0, 1), nodeOf(hair, 0, 15));
+    };
+    // Two centimetres from the root.
+    QVERIFY(hung(0.0F, 0.3F).first.y < -0.015F);
+    QVERIFY2(hung(0.8F, 0.3F).first.y > -0.008F, qPrintable(QString::number(hung(0.8F, 0.3F).first.y)));
+    QVERIFY(hung(0.8F, 0.3F).first.y < hung(1.0F, 0.3F).first.y);
+    // Its rest hangs as it did, and 5 cm of it stand.
+    QVERIFY(hung(0.8F, 0.3F).second.y < -0.15F);
+    QVERIFY2(hung(0.8F, 0.05F).second.y > -0.012F, qPrintable(QString::number(hung(0.8F, 0.05F).second.y)));
 }
 
 void TestStiffness::hairThatIsLaidInSharpTurnsComesToRest()

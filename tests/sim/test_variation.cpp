@@ -121,6 +121,36 @@ private Q_SLOTS:
         }
     }
 
+    void noHairIsMuchShorterThanIsAllowed()
+    {
+        const VariationSettings settings{.length = 0.2F, .mostShorterM = 0.015F};
+        float most = 0.0F;
+        for (std::uint32_t rank = 0; rank < 1000; ++rank) {
+            const float own = variationOf(settings, kSeed, rank).length;
+            most = std::max(most, 0.5F - 0.5F * lengthLeft(settings, own, 0.5F, glm::vec3(0.0F)));
+            QCOMPARE(lengthLeft(settings, own, 0.05F, glm::vec3(0.0F)), own); // Short hair by its fraction.
+        }
+        QVERIFY2(std::abs(most - settings.mostShorterM) < 1e-5F, qPrintable(QString::number(most)));
+    }
+
+    void patchesAreSoftAndAsDeepAsIsSet()
+    {
+        QCOMPARE(densityLeft({}, glm::vec3(0.03F)), 1.0F);
+        QCOMPARE(lengthLeft({}, 0.9F, 0.3F, glm::vec3(0.03F)), 0.9F);
+        const VariationSettings settings{.patches = 1.0F};
+        float least = 1.0F;
+        float most = 0.0F;
+        for (int step = 0; step < 300; ++step) {
+            const auto at = [](int mm) { return glm::vec3(0.0F, 0.001F * static_cast<float>(mm), 0.1F); };
+            const float density = densityLeft(settings, at(step));
+            QVERIFY(std::abs(densityLeft(settings, at(step + 1)) - density) < 0.08F);
+            least = std::min(least, density);
+            most = std::max(most, density);
+        }
+        QVERIFY2(least > 0.49F && least < 0.65F, qPrintable(QString::number(least)));
+        QVERIFY2(most > 0.85F && most <= 1.0F, qPrintable(QString::number(most)));
+    }
+
     void anotherSeedIsOtherHair()
     {
         const VariationSettings settings{.length = 0.1F};

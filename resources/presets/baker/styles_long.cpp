@@ -139,6 +139,7 @@ Style splitDye()
     model::setHairType(style.settings, model::hairType("2C"));
     style.settings.curl.gather = 0.4F;
     style.settings.variation.parting = 0.0F;
+    style.settings.variation.partGapM = 0.0F;
     style.settings.locks.ragged = 0.0F;
     style.settings.nodesPerHair = 12;
     return style;

@@ -209,13 +209,16 @@ Style slickedUndercut()
                     user.polygon(MapKind::Clump, scalar(0.45F), top);
                     user.polygon(MapKind::Gel, scalar(0.8F), top);
                     user.setMirror(true);
-                    taperBack(user, 0.012F, 0.085F);
+                    taperBack(user, 0.006F, 0.085F);
                     slickSides(user, 0.9F);
                     slickBack(user, 0.95F);
                 }};
+    // Wet and combed: what strays is little.
+    style.settings.variation.flyaways = 0.004F;
+    style.settings.variation.crossing = 0.04F;
     style.settings.nodesPerHair = 10;
-    style.settings.material.shine = 0.8F;
-    style.settings.material.roughness = 0.25F;
+    style.settings.material.shine = 0.7F;
+    style.settings.material.roughness = 0.3F;
     style.settings.material.tipAlpha = 0.7F;
     return style;
 }
@@ -269,8 +272,7 @@ Style sidePart()
                     user.fill(MapKind::Clump, scalar(0.25F));
                     user.setMirror(false);
                     user.polygon(MapKind::Gel, scalar(0.35F), aroundTop(user));
-                    user.part({.reachM = 0.12F, .flatness = 0.93F, .gapM = 0.002F},
-                              user.overHead(kPartM, 0.06F, -0.06F));
+                    user.part({.reachM = 0.12F, .flatness = 0.93F}, user.overHead(kPartM, 0.06F, -0.06F));
                 }};
     style.settings.nodesPerHair = 10;
     style.settings.material.shine = 0.6F;

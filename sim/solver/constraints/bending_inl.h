@@ -1,8 +1,8 @@
 // Stiffness and gel: a strand resists bending away from its rest shape, and gel holds every node at it.
 //
 // Displacements u from the rest shape after the step, from those u* that free nodes would have, solve
-// M ((1 + hold) u - u*) + bend K u = 0: K is the matrix of squared second differences of a beam clamped at its root
-// and free at its tip, M the nodes' masses, the tip half of the others. Implicit, so that a stiff hair takes no
+// M ((1 + hold + loft) u - u*) + bend K u = 0: K is the matrix of squared second differences of a beam clamped at its
+// root and free at its tip, M the nodes' masses, the tip half of the others. Implicit, so that a stiff hair takes no
 // smaller step; exact for any deflection of a strand that does not stretch, since its curvature is then its second
 // derivative (Bergou et al. 2006, quadratic bending). Five diagonals: rows are eliminated while nodes are predicted.
 #if defined(HAIRPAINT_SIM_BENDING_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -24,7 +24,8 @@ public:
     /// `rows`: scratch, [nodes][2][kLanes].
     HWY_INLINE BendingSolve(int nodes, const float* HWY_RESTRICT lanes, float* HWY_RESTRICT rows)
         : m_rows(rows), m_last(nodes - 1), m_bend(loaded(lanes + kBend * kLanes)),
-          m_held(1.0F + loaded(lanes + kHold * kLanes)), m_pivot(0.0F), m_secondPivot(0.0F),
+          m_held(1.0F + loaded(lanes + kHold * kLanes)), m_loft(loaded(lanes + kLoft * kLanes)),
+          m_perLoft(loaded(lanes + kSegmentLength * kLanes) * (1.0F / kLoftM)), m_pivot(0.0F), m_secondPivot(0.0F),
           m_beside(0.0F), m_above{0.0F, 0.0F, 0.0F}, m_secondAbove(m_above)
     {}
 
@@ -37,7 +38,9 @@ public:
         const Lanes second = m_bend * m_secondPivot;
         m_beside = m_bend * (i == 1 ? 0.0F : i == m_last ? -2.0F : -4.0F) - second * m_beside;
         const Lanes first = m_beside * m_pivot;
-        const Lanes whole = mass * m_held + m_bend * diagonal - first * m_beside - second * m_bend;
+        const Lanes near = most(1.0F - m_perLoft * static_cast<float>(i), 0.0F);
+        const Lanes held = m_held + m_loft * near * near;
+        const Lanes whole = mass * held + m_bend * diagonal - first * m_beside - second * m_bend;
         m_secondPivot = m_pivot;
         m_pivot = Lanes(1.0F) / select(whole > 0.0F, whole, 1.0F);
         const Lanes3 side = free * mass - m_above * first - m_secondAbove * second;
@@ -73,6 +76,7 @@ private:
     float* HWY_RESTRICT m_rows;
     int m_last;
     Lanes m_bend, m_held;
+    Lanes m_loft, m_perLoft;
     Lanes m_pivot, m_secondPivot;  ///< Inverses of the last two pivots.
     Lanes m_beside;                ///< The last row's own term beside the diagonal.
     Lanes3 m_above, m_secondAbove; ///< Eliminated right-hand sides.

@@ -212,7 +212,7 @@ bool HairPass::projectPiece()
     const sim::CurlSettings& curl = settings.curl;
     m_expand.set("isCoiled", sim::coilsOf(settings) != nullptr ? 1 : 0);
     m_expand.set("coil", glm::vec4(curl.inStepFromM, curl.switchbacksPerM, curl.skips, curl.flatness));
-    m_expand.set("uncoil", curl.uncoil);
+    m_expand.set("uncoil", glm::vec2(curl.uncoil, curl.straightM));
     m_expand.set("taperM", settings.material.taperM);
     dispatch(piece.strandCount);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

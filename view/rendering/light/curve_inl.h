@@ -90,7 +90,8 @@ HWY_INLINE Triple<Lanes> coilOffset(const StrandBlock& block, std::size_t lane, 
          .switchbacksPerM = Lanes(coils.switchbacksPerM),
          .skips = Lanes(coils.skips),
          .flatness = Lanes(coils.flatness),
-         .uncoil = Lanes(coils.uncoil)},
+         .uncoil = Lanes(coils.uncoil),
+         .straightM = Lanes(coils.straightM)},
         s);
 }
 

@@ -44,6 +44,15 @@ HWY_INLINE F turnedBy(F variation)
     return (pair - floored(pair + F(0.5F))) * F(2.0F * kMost);
 }
 
+/// White of a highlight that hairs of a coat show: one hair mirrors all of a light that grazes it, but it seldom lies
+/// free. `cosPhi` 1 where the eye is beside the light, -1 where they face each other.
+template<class F>
+HWY_INLINE F drawnGloss(F white, F cosPhi)
+{
+    constexpr float kBound = 6.0F; ///< Over what grazes: from its inverse on a highlight hardly grows.
+    return white / (F(1.0F) + white * (F(1.0F) - cosPhi) * F(kBound));
+}
+
 /// What of a far light the head lets by: an umbra of its size with a soft edge.
 template<class F>
 HWY_INLINE F besideHead(const Triple<F>& fromHead, float radiusM, const Triple<F>& toward)
@@ -88,7 +97,9 @@ HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, co
         const FibreLobes<F> lobes = marschner<set>(given.shape, at, point.depth, point.turned, point.sharpness);
         const F front = shine * passed.direct * F(kPi);
         const F body = (F(0.35F) + F(0.65F) * at.cosI) * facing * F(kCoat);
-        const F white = lobes.r * front * F(set == LobeSet::Forward ? kForward : 1.0F);
+        // Where the coat turns from the light, hairs lie under those that have it.
+        const F shown = F(0.3F) + F(0.7F) * wrap;
+        const F white = drawnGloss(lobes.r * front * shown * F(set == LobeSet::Forward ? kForward : 1.0F), at.cosPhi);
         lit = point.colour * passed.all * body + Triple<F>{white, white, white};
         // What went through one hair goes through those beside it too: even a thin coat colours it.
         if constexpr (set != LobeSet::Back)
