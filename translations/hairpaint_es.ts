@@ -1484,8 +1484,36 @@
         <translation>Radio</translation>
     </message>
     <message>
-        <source>Thickness of a braid</source>
-        <translation>Grosor de una trenza</translation>
+        <source>Thickness of a braid; one of few hairs is thinner</source>
+        <translation>Grosor de una trenza; la que tiene pocos cabellos es más fina</translation>
+    </message>
+    <message>
+        <source>Knot length</source>
+        <translation>Largo del nudo</translation>
+    </message>
+    <message>
+        <source>How long the turns of a braid are; at 100 % its wisps fit each other</source>
+        <translation>Qué tan largas son las vueltas de una trenza; con 100 % sus mechones encajan</translation>
+    </message>
+    <message>
+        <source>Tightness</source>
+        <translation>Firmeza</translation>
+    </message>
+    <message>
+        <source>How tight braids are laced: loose ones are full, and hairs leave them</source>
+        <translation>Qué tan apretadas están las trenzas: las flojas son llenas y sueltan cabellos</translation>
+    </message>
+    <message>
+        <source>How much thinner a braid is at its end</source>
+        <translation>Cuánto más fina es una trenza en su punta</translation>
+    </message>
+    <message>
+        <source>Tie</source>
+        <translation>Lazo</translation>
+    </message>
+    <message>
+        <source>How far a braid is drawn together before its loose end</source>
+        <translation>Cuánto se ciñe una trenza antes de su punta suelta</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -2366,6 +2394,18 @@
     <message>
         <source>Loc</source>
         <translation>Rasta</translation>
+    </message>
+    <message>
+        <source>Plait of four</source>
+        <translation>Trenza de cuatro</translation>
+    </message>
+    <message>
+        <source>Plait of five</source>
+        <translation>Trenza de cinco</translation>
+    </message>
+    <message>
+        <source>Fishtail</source>
+        <translation>Espiga</translation>
     </message>
     <message>
         <source>Density</source>

@@ -84,11 +84,11 @@ void bandOnPatch(Worn& worn, const PatchShape& shape)
 
 } // namespace
 
-std::optional<PatchShape> shapeOf(const PatchLabels& labels, std::size_t patch)
+std::optional<PatchShape> shapeOf(const sim::PatchLabels& labels, std::size_t patch)
 {
     constexpr std::uint32_t kMostPoints = 1200;
-    const Patch& of = labels.patches()[patch];
-    const SkinIslands& islands = *labels.islands();
+    const sim::Patch& of = labels.patches()[patch];
+    const sim::SkinIslands& islands = *labels.islands();
     const std::uint32_t stride = std::max(1U, of.texels / kMostPoints);
     const float texelUv = 1.0F / static_cast<float>(islands.size());
     const int across = islands.size() / kTileSide;

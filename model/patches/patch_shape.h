@@ -1,8 +1,8 @@
 // How a patch lies on the skin, and what is worn there.
 #pragma once
 
-#include "model/patches/patch_labels.h"
 #include "model/project/worn.h"
+#include "sim/groom/patch_labels.h"
 
 #include <optional>
 #include <vector>
@@ -19,7 +19,7 @@ struct PatchShape
 };
 
 /// None where none of it lies on the skin.
-[[nodiscard]] std::optional<PatchShape> shapeOf(const PatchLabels& labels, std::size_t patch);
+[[nodiscard]] std::optional<PatchShape> shapeOf(const sim::PatchLabels& labels, std::size_t patch);
 /// Of its points the one nearest to there.
 [[nodiscard]] const sim::SurfacePoint& pointNearest(const PatchShape& shape, glm::vec3 positionHd);
 

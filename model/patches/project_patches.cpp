@@ -26,13 +26,13 @@ std::optional<glm::vec2> uvOf(const WornAnchor& anchor, const sim::Skin& skin)
     return (mesh.uvs[face.x] * weights.x + mesh.uvs[face.y] * weights.y + mesh.uvs[face.z] * weights.z) / sum;
 }
 
-const WornSpec* kindOf(const Patch& patch)
+const WornSpec* kindOf(const sim::Patch& patch)
 {
     return patch.texels < kFewestTexels ? nullptr : wornOfPalette(patch.kind);
 }
 
 /// Index of the patch that the thing's point is in, and which is of its kind.
-std::size_t patchHolding(const PatchLabels& labels, const Worn& worn, const sim::Skin& skin)
+std::size_t patchHolding(const sim::PatchLabels& labels, const Worn& worn, const sim::Skin& skin)
 {
     const std::optional<glm::vec2> uv = uvOf(worn.patch->at, skin);
     const std::optional<std::size_t> patch = uv ? labels.at(*uv) : std::nullopt;
@@ -43,7 +43,7 @@ std::size_t patchHolding(const PatchLabels& labels, const Worn& worn, const sim:
 }
 
 /// Of patches of its kind that nothing has yet the one that covers most of what was the thing's.
-std::size_t patchOverlapping(const PatchLabels& labels, const std::vector<const Worn*>& taken, const Worn& worn,
+std::size_t patchOverlapping(const sim::PatchLabels& labels, const std::vector<const Worn*>& taken, const Worn& worn,
                              const ProjectPatches::Group& before)
 {
     const auto own = std::ranges::find(before.things, worn.id);
@@ -56,7 +56,7 @@ std::size_t patchOverlapping(const PatchLabels& labels, const std::vector<const 
         const WornSpec* spec = kindOf(labels.patches()[patch]);
         if (taken[patch] != nullptr || spec == nullptr || spec->kind != worn.kind)
             continue;
-        const std::uint32_t texels = texelsInBoth(before.labels, was, labels, patch);
+        const std::uint32_t texels = sim::texelsInBoth(before.labels, was, labels, patch);
         if (texels > most) {
             most = texels;
             best = patch;
@@ -81,7 +81,7 @@ std::uint16_t freeNumber(const std::vector<Worn>& all)
 class Following
 {
 public:
-    Following(Project& project, Id group, const PatchLabels& labels, const ProjectPatches::Group* before)
+    Following(Project& project, Id group, const sim::PatchLabels& labels, const ProjectPatches::Group* before)
         : m_project(project), m_skin(*project.head->skin), m_group(group), m_labels(labels), m_before(before),
           m_taken(labels.patches().size(), nullptr)
     {}
@@ -134,7 +134,7 @@ private:
         if (m_before != nullptr) {
             const auto was = std::ranges::find(m_before->things, worn.id);
             if (isHeld && was != m_before->things.end() &&
-                samePatch(m_before->labels, static_cast<std::size_t>(was - m_before->things.begin()), m_labels, patch))
+                sim::samePatch(m_before->labels, static_cast<std::size_t>(was - m_before->things.begin()), m_labels, patch))
                 return;
         }
         const std::optional<PatchShape> shape =
@@ -166,12 +166,12 @@ private:
     Project& m_project;
     const sim::Skin& m_skin;
     Id m_group;
-    const PatchLabels& m_labels;
+    const sim::PatchLabels& m_labels;
     const ProjectPatches::Group* m_before;
     std::vector<const Worn*> m_taken; ///< Of each patch, as it was.
 };
 
-sim::RasterTilePtr gatheredTile(const PatchTile& parts, const std::vector<std::uint16_t>& numbers)
+sim::RasterTilePtr gatheredTile(const sim::PatchTile& parts, const std::vector<std::uint16_t>& numbers)
 {
     auto tile = std::make_shared<sim::RasterTile>();
     if (std::ranges::all_of(numbers, [](std::uint16_t number) { return number == 0; }))
@@ -197,7 +197,7 @@ void updateGathered(ProjectPatches::Group& group)
     group.made.resize(static_cast<std::size_t>(raster->tileCount()));
     for (int index = 0; index < raster->tileCount(); ++index) {
         auto& made = group.made[static_cast<std::size_t>(index)];
-        const std::shared_ptr<const PatchTile>& parts = group.labels.tilePointer(index);
+        const std::shared_ptr<const sim::PatchTile>& parts = group.labels.tilePointer(index);
         std::vector<std::uint16_t> numbers;
         for (std::uint16_t part = 1; part <= parts->kinds.size(); ++part)
             numbers.push_back(group.numbers[group.labels.patchOf(index, part)]);
@@ -249,9 +249,9 @@ void ProjectPatches::updateLabels(const Project& project)
             one = Group{.map = std::move(one.map)};
             continue; // The usual case costs no islands.
         }
-        std::shared_ptr<const SkinIslands>& islands = m_islands[{skin.get(), map->size()}];
+        std::shared_ptr<const sim::SkinIslands>& islands = m_islands[{skin.get(), map->size()}];
         if (islands == nullptr)
-            islands = std::make_shared<const SkinIslands>(skin, map->size());
+            islands = std::make_shared<const sim::SkinIslands>(skin, map->size());
         one.labels.update(map, islands);
     }
 }
@@ -308,7 +308,7 @@ std::vector<LayerPatchErasure> patchErased(const Project& project, const Project
     const auto thing = std::ranges::find(found->things, worn.id);
     if (thing == found->things.end())
         return erased;
-    const Patch& patch = found->labels.patches()[static_cast<std::size_t>(thing - found->things.begin())];
+    const sim::Patch& patch = found->labels.patches()[static_cast<std::size_t>(thing - found->things.begin())];
     const MapStack& stack = project.group(worn.group)->map(MapKind::Accessory);
     for (const Layer& layer : stack.layers) {
         if (!layer.visible)

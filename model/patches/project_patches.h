@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/maps/compositor.h"
-#include "model/patches/patch_labels.h"
 #include "model/project/project.h"
+#include "sim/groom/patch_labels.h"
 
 #include <map>
 #include <memory>
@@ -32,12 +32,12 @@ public:
     struct Group
     {
         ResolvedMap map;
-        PatchLabels labels = {};
+        sim::PatchLabels labels = {};
         std::vector<Id> things = {};             ///< Of each patch; 0: none.
         std::vector<std::uint16_t> numbers = {}; ///< Of each patch that gathers; 0: it does not.
         sim::MapRaster gathered = {};
         /// The parts' numbers by which each tile of `gathered` was made.
-        std::vector<std::pair<std::shared_ptr<const PatchTile>, std::vector<std::uint16_t>>> made = {};
+        std::vector<std::pair<std::shared_ptr<const sim::PatchTile>, std::vector<std::uint16_t>>> made = {};
     };
     [[nodiscard]] const Group* group(Id id) const;
 
@@ -45,7 +45,7 @@ private:
     void updateLabels(const Project& project);
     void findThings(const Project& project);
 
-    std::map<std::pair<const sim::Skin*, int>, std::shared_ptr<const SkinIslands>> m_islands;
+    std::map<std::pair<const sim::Skin*, int>, std::shared_ptr<const sim::SkinIslands>> m_islands;
     std::map<Id, Group> m_groups;
 };
 

@@ -27,6 +27,9 @@ constexpr std::array kBraidPalette{
     PaletteEntry{"plait", QT_TRANSLATE_NOOP("MapSpec", "Plait"), 0xFFFF00FF},
     PaletteEntry{"twist", QT_TRANSLATE_NOOP("MapSpec", "Twist"), 0xFFFF8000},
     PaletteEntry{"loc", QT_TRANSLATE_NOOP("MapSpec", "Loc"), 0xFF00C080},
+    PaletteEntry{"plait4", QT_TRANSLATE_NOOP("MapSpec", "Plait of four"), 0xFF4060FF},
+    PaletteEntry{"plait5", QT_TRANSLATE_NOOP("MapSpec", "Plait of five"), 0xFF00B0F0},
+    PaletteEntry{"fishtail", QT_TRANSLATE_NOOP("MapSpec", "Fishtail"), 0xFFE0D000},
 };
 
 /// Kinds of worn things, by their ids: model/project/worn.h.

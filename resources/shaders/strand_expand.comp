@@ -8,8 +8,6 @@ layout(std430, binding = 2) readonly buffer Skeletons { float skeletons[]; }; //
 layout(std430, binding = 3) writeonly buffer Points { vec4 pointsWo[]; };
 
 // As in sim/groom/groom.h.
-const uint kTwist = 2u;
-const uint kLoc = 3u;
 
 uniform uint firstStrand;
 uniform uint strandCount;
@@ -85,21 +83,15 @@ vec3 reflectedIn(vec3 v, vec3 axis, float squared)
 vec3 braidedOffsetAt(uint slot, float q, float metres)
 {
     uint braid = styles[slot].braid;
-    uint kind = braid & 0xFFu;
     BraidedHair hair;
-    hair.isTwist = kind == kTwist;
-    hair.isLoc = kind == kLoc;
-    hair.pathFraction = braidPathFraction(hair.isTwist, hair.isLoc);
     hair.radiusM = styles[slot].braidRadiusM;
     hair.turns = styles[slot].braidTurns;
     hair.wispX = styles[slot].wispOffsetX;
     hair.wispY = styles[slot].wispOffsetY;
-    BraidGirth girth = braidGirth(hair, q);
-    float wisp = float((braid >> 8) & 3u);
-    WispPath path = wispPath(hair.isTwist, 2.0 * kPi * (hair.turns * q + wisp / (hair.isTwist ? 2.0 : 3.0)));
-    float perFraction = girth.pathM * hair.turns * 2.0 * kPi;
-    vec3 along = normalize(vec3(path.onwardX * perFraction, max(metres, 1e-6), path.onwardZ * perFraction));
-    return braidedOffset(hair, girth, path, along, metres);
+    hair.chance = styles[slot].variation;
+    hair.taper = float((braid >> 16) & 0xFFu) / 255.0;
+    hair.tied = float(braid >> 24) / 255.0;
+    return braidedOffset(hair, float(braid & 0xFFu), float((braid >> 8) & 15u), q, metres);
 }
 
 void main()

@@ -20,7 +20,8 @@ struct PackedStyle
     uint rootColour;
     uint tipColour;
     float width;
-    uint braid; // sim::BraidKind; bits 8 and 9 the wisp; kTautBit: see sim::StrandStyle::isTaut().
+    uint braid; // sim::BraidKind; bits 8 to 11 the wisp; kTautBit: see sim::StrandStyle::isTaut(); 16 to 23 braidTaper,
+                // 24 to 31 braidTied.
     float braidRadiusM;
     float braidStart;
     float braidTurns;

@@ -1,23 +1,26 @@
-// Regions by union of near basis hairs, centres by greedy spacing and a few steps of Lloyd's method.
+// Patches by their texels, roots by greedy spacing and a few steps of Lloyd's method.
 #include "sim/groom/braid_layout.h"
 
+#include "sim/base/parallel.h"
+#include "sim/groom/braid_path.h"
+#include "sim/groom/strand_curve.h"
+#include "sim/groom/strand_style.h"
+
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace hairpaint::sim {
 
 namespace {
 
-/// So many hairs of one kind in a cell of that size are compared with those around. On an even skin there are three;
-/// where a mesh folds into thousands of layers, comparing all of them with all would never end.
-constexpr std::size_t kMostCompared = 32;
-constexpr float kLeastReachM = 1e-9F;     ///< Keeps cells apart from nothing where a skin has next to no area.
-constexpr std::size_t kMostCentres = 256; ///< A region; bounds the time that a tiny spacing would take.
+constexpr std::uint32_t kSampledRanks = 32768; ///< Roots are chosen among these, which cover the skin evenly,
+constexpr std::size_t kFewSampled = 32;        ///< and where a patch has fewer of them, among all of its hairs.
+constexpr std::size_t kMostBraids = 256;       ///< Of a patch; bounds the time that a tiny spacing would take.
 constexpr int kLloydSteps = 4;
-constexpr std::size_t kBraidKinds = static_cast<std::size_t>(BraidKind::Loc) + 1;
+constexpr float kShortestM = 0.005F;
+constexpr std::size_t kHairsAtOnce = 4096;
 
 float squaredDistance(glm::vec3 a, glm::vec3 b)
 {
@@ -25,205 +28,326 @@ float squaredDistance(glm::vec3 a, glm::vec3 b)
     return glm::dot(away, away);
 }
 
-/// Sets of basis hairs; a set is named by its lowest member.
-class UnionOfHairs
+std::size_t nearestOf(std::span<const glm::vec3> points, glm::vec3 to)
 {
-public:
-    explicit UnionOfHairs(std::size_t count) : m_parent(count) { std::iota(m_parent.begin(), m_parent.end(), 0U); }
-    std::uint32_t find(std::uint32_t hair)
-    {
-        while (m_parent[hair] != hair) {
-            m_parent[hair] = m_parent[m_parent[hair]];
-            hair = m_parent[hair];
-        }
-        return hair;
-    }
-    void join(std::uint32_t a, std::uint32_t b)
-    {
-        a = find(a);
-        b = find(b);
-        m_parent[std::max(a, b)] = std::min(a, b);
-    }
+    return static_cast<std::size_t>(
+        std::ranges::min_element(points, {}, [to](glm::vec3 point) { return squaredDistance(point, to); }) -
+        points.begin());
+}
 
-private:
-    std::vector<std::uint32_t> m_parent;
-};
-
-/// Points sorted by the cell of a grid, for searches within the size of a cell.
-class CellGrid
+std::uint16_t texelOf(const RasterTile& tile, std::size_t texel)
 {
-public:
-    explicit CellGrid(float cellM) : m_cellM(cellM) {}
-    void add(glm::vec3 position, std::uint32_t item) { m_items.emplace_back(keyOf(cellOf(position)), item); }
-    void sort() { std::sort(m_items.begin(), m_items.end()); }
-    /// Of each cell the first `most` items that are lower than `end`.
-    template<typename Visit>
-    void forEachNear(glm::vec3 position, std::uint32_t end, std::size_t most, const Visit& visit) const
-    {
-        const glm::ivec3 cell = cellOf(position);
-        for (int z = -1; z <= 1; ++z) {
-            for (int y = -1; y <= 1; ++y) {
-                for (int x = -1; x <= 1; ++x) {
-                    const std::uint64_t key = keyOf(cell + glm::ivec3(x, y, z));
-                    auto at = std::lower_bound(m_items.begin(), m_items.end(), std::pair{key, 0U});
-                    for (std::size_t visited = 0;
-                         visited < most && at != m_items.end() && at->first == key && at->second < end; ++at, ++visited)
-                        visit(at->second);
-                }
+    return tile.isUniform() ? tile.uniform[0] : tile.pixels[texel];
+}
+
+/// A tile of the braid map without what is painted on bare skin.
+RasterTilePtr lacedTile(const TiledRaster& braid, const TiledRaster& density, int index)
+{
+    static const RasterTilePtr bare = std::make_shared<const RasterTile>();
+    const RasterTilePtr& painted = braid.tile(index);
+    if (painted->isUniform() && painted->uniform[0] == 0)
+        return bare;
+    const bool isSameSize = braid.size() == density.size();
+    if (isSameSize && density.tile(index)->isUniform())
+        return density.tile(index)->uniform[0] > 0 ? painted : bare;
+    RasterTile laced;
+    laced.pixels.resize(kTileTexels);
+    const TexelRect rect = braid.tileRect(index);
+    const auto size = static_cast<float>(braid.size());
+    for (std::size_t texel = 0; texel < kTileTexels; ++texel) {
+        const auto x = static_cast<float>(rect.x0 + static_cast<int>(texel % TiledRaster::kTileSize)) + 0.5F;
+        const auto y = static_cast<float>(rect.y0 + static_cast<int>(texel / TiledRaster::kTileSize)) + 0.5F;
+        const bool isBare = isSameSize ? texelOf(*density.tile(index), texel) == 0
+                                       : !(density.sampleScalar({x / size, 1.0F - y / size}) > 0.0F);
+        laced.pixels[texel] = isBare ? std::uint16_t{0} : texelOf(*painted, texel);
+    }
+    return std::make_shared<const RasterTile>(folded(std::move(laced)));
+}
+
+/// The patch of a hair: that of its texel, or of one beside it where its own is bare.
+std::optional<std::size_t> patchAt(const PatchLabels& labels, glm::vec2 uv, std::uint8_t kind, float texel)
+{
+    const auto isOfKind = [&](std::optional<std::size_t> patch) { return patch && labels.patches()[*patch].kind == kind; };
+    if (const std::optional<std::size_t> own = labels.at(uv); isOfKind(own))
+        return own;
+    for (int ring = 1; ring <= 2; ++ring)
+        for (int y = -ring; y <= ring; ++y)
+            for (int x = -ring; x <= ring; ++x) {
+                const std::optional<std::size_t> beside = labels.at(uv + glm::vec2(x, y) * texel);
+                if (isOfKind(beside))
+                    return beside;
             }
+    return std::nullopt;
+}
+
+/// Three significant bits: a braid's thickness follows its hairs by steps, so that not each of them changes all.
+std::uint32_t rounded(std::uint32_t count)
+{
+    const int dropped = std::max(static_cast<int>(std::bit_width(count)) - 3, 0);
+    return count >> dropped << dropped;
+}
+
+/// The radius at which so many hairs are as dense as a braid is seen to be.
+float filledRadiusM(const GroupSettings& settings, BraidKind kind, std::uint32_t hairs)
+{
+    constexpr float kWidthsPerRadius = 0.31F; // A wisp's radius over the width of all its hairs side by side.
+    const BraidLacing lacing = lacingOf(kind);
+    return kWidthsPerRadius * settings.material.widthM * static_cast<float>(rounded(hairs)) /
+           (static_cast<float>(lacing.wisps) * lacing.wisp);
+}
+
+/// Greedy spacing in the order of ranks, each prefix of which is an even cover, and Lloyd's method: where braids are to
+/// stand.
+std::vector<glm::vec3> middlesOf(const RootSet& roots, std::span<const std::uint32_t> sample, float spacingM)
+{
+    std::vector<glm::vec3> middles;
+    for (const std::uint32_t slot : sample) {
+        const glm::vec3 at = roots.positionHd[slot];
+        const bool isFar = std::ranges::all_of(
+            middles, [&](glm::vec3 middle) { return squaredDistance(middle, at) >= spacingM * spacingM; });
+        if (isFar && middles.size() < kMostBraids)
+            middles.push_back(at);
+    }
+    for (int step = 0; step < kLloydSteps; ++step) {
+        std::vector<glm::vec3> sums(middles.size(), glm::vec3(0.0F));
+        std::vector<float> members(middles.size(), 0.0F);
+        for (const std::uint32_t slot : sample) {
+            const std::size_t cell = nearestOf(middles, roots.positionHd[slot]);
+            sums[cell] += roots.positionHd[slot];
+            members[cell] += 1.0F;
         }
+        for (std::size_t i = 0; i < middles.size(); ++i)
+            if (members[i] > 0.0F)
+                middles[i] = sums[i] / members[i];
     }
-
-private:
-    [[nodiscard]] glm::ivec3 cellOf(glm::vec3 position) const
-    {
-        return glm::ivec3(glm::clamp(glm::floor(position / m_cellM), -1e6F, 1e6F));
-    }
-    static std::uint64_t keyOf(glm::ivec3 cell)
-    {
-        constexpr std::uint64_t kBias = 1U << 20U;
-        const auto part = [](int i) { return static_cast<std::uint64_t>(i) + kBias; };
-        return (part(cell.z) << 42U) | (part(cell.y) << 21U) | part(cell.x);
-    }
-
-    float m_cellM;
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> m_items;
-};
+    return middles;
+}
 
 } // namespace
 
-BraidLayout::BraidLayout(const RootSet& roots, std::vector<std::uint8_t> kindOfBasis, float spacingM)
-    : m_kindOfBasis(std::move(kindOfBasis))
+void BraidLayout::startOver()
 {
-    m_regionOfBasis.assign(m_kindOfBasis.size(), kNoCentre);
-    if (std::all_of(m_kindOfBasis.begin(), m_kindOfBasis.end(), [](std::uint8_t kind) { return kind == 0; }))
-        return;
-    findRegions(roots);
-    chooseCentres(roots, spacingM);
-    moveCentresToTheMiddle(roots);
+    m_braids.clear();
+    m_braidOfSlot.clear();
+    m_braid.reset();
+    m_density.reset();
+    m_laced.reset();
 }
 
-void BraidLayout::findRegions(const RootSet& roots)
+bool BraidLayout::update(const Inputs& inputs, SlotSet& dirty)
 {
-    const auto count = static_cast<std::uint32_t>(m_kindOfBasis.size());
-    const float reachM =
-        std::max(kBraidReachSpacings * std::sqrt(static_cast<float>(roots.skin->areaM2()) / static_cast<float>(count)),
-                 kLeastReachM);
-    std::array<std::vector<std::uint32_t>, kBraidKinds> ofKind;
-    for (std::uint32_t basis = 0; basis < count; ++basis)
-        ofKind.at(m_kindOfBasis[basis]).push_back(basis);
-    UnionOfHairs sets(count);
-    for (std::size_t kind = 1; kind < ofKind.size(); ++kind) {
-        CellGrid grid(reachM);
-        for (const std::uint32_t basis : ofKind[kind])
-            grid.add(roots.positionHd[roots.basisSlot[basis]], basis);
-        grid.sort();
-        for (const std::uint32_t basis : ofKind[kind]) {
-            const std::uint32_t slot = roots.basisSlot[basis];
-            grid.forEachNear(roots.positionHd[slot], basis, kMostCompared, [&](std::uint32_t other) {
-                const std::uint32_t otherSlot = roots.basisSlot[other];
-                ++m_compared;
-                if (squaredDistance(roots.positionHd[slot], roots.positionHd[otherSlot]) <= reachM * reachM &&
-                    glm::dot(roots.normalHd[slot], roots.normalHd[otherSlot]) > 0.0F)
-                    sets.join(basis, other);
-            });
+    const bool otherPatches = updateLabels(inputs);
+    const std::vector<Braid> before = m_braids;
+    const std::vector<std::uint32_t> braidBefore = m_braidOfSlot;
+    if (otherPatches || inputs.otherKinds) {
+        m_braids.clear();
+        m_middlesHd.clear();
+        sortByPatch(inputs);
+        m_firstBraid.assign(1, 0);
+        for (std::size_t patch = 0; patch + 1 < m_firstMember.size(); ++patch) {
+            plant(inputs, m_firstMember[patch], m_firstMember[patch + 1]);
+            m_firstBraid.push_back(static_cast<std::uint32_t>(m_braids.size()));
+        }
+        borrowBasis(inputs);
+        assignHairs(inputs);
+    }
+    measure(inputs);
+    const bool otherLayout = m_braidOfSlot != braidBefore;
+    if (m_braids == before && !otherLayout)
+        return false;
+    const std::size_t count = std::max(m_braidOfSlot.size(), braidBefore.size());
+    parallelFor(dirty.chunkCount(), 4, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t slot = begin * kChunkSlots; slot < std::min(end * kChunkSlots, count); ++slot) {
+            const std::uint32_t was = braidBefore.empty() ? kNoCentre : braidBefore[slot];
+            const std::uint32_t is = m_braidOfSlot.empty() ? kNoCentre : m_braidOfSlot[slot];
+            if (was == kNoCentre && is == kNoCentre)
+                continue;
+            if (was == kNoCentre || is == kNoCentre || before[was] != m_braids[is])
+                dirty.insert(static_cast<std::uint32_t>(slot));
+        }
+    });
+    return true;
+}
+
+bool BraidLayout::updateLabels(const Inputs& inputs)
+{
+    const bool isSame = m_laced && inputs.braid == m_braid && inputs.density == m_density;
+    if (isSame || std::ranges::all_of(inputs.kinds, [](std::uint8_t kind) { return kind == 0; })) {
+        if (!isSame)
+            m_laced.reset();
+        return false;
+    }
+    if (!m_islands || m_islands->skin() != inputs.roots.skin || m_islands->size() != inputs.braid->size())
+        m_islands = std::make_shared<const SkinIslands>(inputs.roots.skin, inputs.braid->size());
+    const bool isNew = !m_laced || m_laced->size() != inputs.braid->size();
+    auto laced = isNew ? std::make_shared<TiledRaster>(inputs.braid->size(), 1) : std::make_shared<TiledRaster>(*m_laced);
+    const bool isSameSize = inputs.braid->size() == inputs.density->size();
+    bool differs = isNew;
+    for (int tile = 0; tile < laced->tileCount(); ++tile) {
+        if (!isNew && inputs.braid->tile(tile) == m_braid->tile(tile) &&
+            (isSameSize ? inputs.density->tile(tile) == m_density->tile(tile) : inputs.density == m_density))
+            continue;
+        RasterTilePtr made = lacedTile(*inputs.braid, *inputs.density, tile);
+        if (made == laced->tile(tile) || sameTexels(*made, *laced->tile(tile)))
+            continue;
+        laced->setTile(tile, std::move(made));
+        differs = true;
+    }
+    m_braid = inputs.braid;
+    m_density = inputs.density;
+    if (!differs)
+        return false;
+    m_laced = std::move(laced);
+    m_labels.update(m_laced, m_islands);
+    return true;
+}
+
+void BraidLayout::sortByPatch(const Inputs& inputs)
+{
+    const std::size_t count = inputs.roots.count();
+    std::vector<std::uint32_t> patchOf(count, kNoCentre);
+    m_members.clear();
+    m_firstMember.assign(1, 0);
+    if (!m_laced)
+        return;
+    const float texel = 1.0F / static_cast<float>(m_laced->size());
+    parallelFor(count, kHairsAtOnce, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t slot = begin; slot < end; ++slot)
+            if (inputs.kinds[slot] != 0)
+                if (const auto patch = patchAt(m_labels, inputs.roots.uv[slot], inputs.kinds[slot], texel))
+                    patchOf[slot] = static_cast<std::uint32_t>(*patch);
+    });
+    m_firstMember.assign(m_labels.patches().size() + 1, 0);
+    for (const std::uint32_t patch : patchOf)
+        if (patch != kNoCentre)
+            ++m_firstMember[patch + 1];
+    for (std::size_t patch = 1; patch < m_firstMember.size(); ++patch)
+        m_firstMember[patch] += m_firstMember[patch - 1];
+    m_members.resize(m_firstMember.back());
+    std::vector<std::uint32_t> next(m_firstMember.begin(), m_firstMember.end() - 1);
+    for (std::size_t slot = 0; slot < count; ++slot)
+        if (patchOf[slot] != kNoCentre)
+            m_members[next[patchOf[slot]]++] = static_cast<std::uint32_t>(slot);
+}
+
+void BraidLayout::plant(const Inputs& inputs, std::size_t begin, std::size_t end)
+{
+    if (begin == end)
+        return;
+    const RootSet& roots = inputs.roots;
+    const std::span<const std::uint32_t> members = std::span(m_members).subspan(begin, end - begin);
+    std::vector<std::uint32_t> sample;
+    std::ranges::copy_if(members, std::back_inserter(sample),
+                         [&](std::uint32_t slot) { return roots.rankOfSlot[slot] < kSampledRanks; });
+    if (sample.size() < kFewSampled)
+        sample.assign(members.begin(), members.end());
+    std::ranges::sort(sample, {}, [&](std::uint32_t slot) { return roots.rankOfSlot[slot]; });
+    const auto first = m_braids.size();
+    for (const glm::vec3 middle : middlesOf(roots, sample, inputs.settings.braidSpacingM)) {
+        m_middlesHd.push_back(middle);
+        m_braids.push_back({.kind = static_cast<BraidKind>(inputs.kinds[members.front()])});
+    }
+    // The hair nearest to the middle, and the nearest solved hair of those, if it is about there.
+    constexpr float kAboutThere = 1.5F; // Of the solved hairs' spacing.
+    const float aboutM = kAboutThere * std::sqrt(static_cast<float>(roots.skin->areaM2()) /
+                                                 static_cast<float>(roots.basisSlot.size()));
+    const std::span<const glm::vec3> middles = std::span(m_middlesHd).subspan(first);
+    constexpr float kFar = std::numeric_limits<float>::max();
+    std::vector<float> nearest(middles.size(), kFar);
+    std::vector<float> nearestSolved(middles.size(), aboutM * aboutM);
+    for (std::size_t i = 0; i < middles.size(); ++i)
+        m_braids[first + i].basis = kNoCentre;
+    for (const std::uint32_t slot : sample) {
+        const std::size_t cell = nearestOf(middles, roots.positionHd[slot]);
+        const float squared = squaredDistance(middles[cell], roots.positionHd[slot]);
+        Braid& braid = m_braids[first + cell];
+        const std::uint32_t basis = roots.neighbours[slot][0];
+        if (roots.basisSlot[basis] == slot && squared < nearestSolved[cell]) {
+            nearestSolved[cell] = squared;
+            braid.basis = basis;
+            braid.root = slot;
+        }
+        if (braid.basis == kNoCentre && squared < nearest[cell]) {
+            nearest[cell] = squared;
+            braid.root = slot;
         }
     }
-    std::vector<std::uint32_t> numberOfSet(count, kNoCentre);
-    std::uint32_t regions = 0;
-    for (std::uint32_t basis = 0; basis < count; ++basis) {
-        if (m_kindOfBasis[basis] == 0)
-            continue;
-        std::uint32_t& number = numberOfSet[sets.find(basis)];
-        if (number == kNoCentre)
-            number = regions++;
-        m_regionOfBasis[basis] = number;
-    }
-    m_regionStart.assign(regions + 1, 0);
+    // A cell without a hair in the sample: its braid would have none.
+    for (std::size_t i = middles.size(); i-- > 0;)
+        if (nearest[i] == kFar && m_braids[first + i].basis == kNoCentre) {
+            m_braids.erase(m_braids.begin() + static_cast<std::ptrdiff_t>(first + i));
+            m_middlesHd.erase(m_middlesHd.begin() + static_cast<std::ptrdiff_t>(first + i));
+        }
 }
 
-void BraidLayout::chooseCentres(const RootSet& roots, float spacingM)
+/// Braids without a solved hair of their own borrow one from beside them that no other follows.
+void BraidLayout::borrowBasis(const Inputs& inputs)
 {
-    // In the order of ranks, each prefix of which is an even cover.
-    std::vector<std::vector<std::uint32_t>> chosen(m_regionStart.size() - 1);
-    for (std::uint32_t rank = 0; rank < m_kindOfBasis.size(); ++rank) {
-        const std::uint32_t slot = roots.slotOfRank[rank];
-        const std::uint32_t basis = roots.neighbours[slot][0];
-        if (m_regionOfBasis[basis] == kNoCentre)
+    const RootSet& roots = inputs.roots;
+    std::vector<std::uint8_t> taken(roots.basisSlot.size(), 0);
+    for (const Braid& braid : m_braids)
+        if (braid.basis != kNoCentre)
+            taken[braid.basis] = 1;
+    for (Braid& braid : m_braids) {
+        if (braid.basis != kNoCentre)
             continue;
-        std::vector<std::uint32_t>& centres = chosen[m_regionOfBasis[basis]];
-        const bool isFar = std::all_of(centres.begin(), centres.end(), [&](std::uint32_t centre) {
-            return squaredDistance(roots.positionHd[roots.basisSlot[centre]], roots.positionHd[slot]) >=
-                   spacingM * spacingM;
-        });
-        if (isFar && centres.size() < kMostCentres)
-            centres.push_back(basis);
-    }
-    for (std::size_t region = 0; region < chosen.size(); ++region) {
-        m_centres.insert(m_centres.end(), chosen[region].begin(), chosen[region].end());
-        m_regionStart[region + 1] = static_cast<std::uint32_t>(m_centres.size());
-    }
-}
-
-void BraidLayout::moveCentresToTheMiddle(const RootSet& roots)
-{
-    constexpr float kFar = std::numeric_limits<float>::max();
-    const auto positionOf = [&](std::uint32_t basis) { return roots.positionHd[roots.basisSlot[basis]]; };
-    const auto count = static_cast<std::uint32_t>(m_kindOfBasis.size());
-    std::vector<std::uint32_t> cellOf(count, 0);
-    for (int step = 0; step < kLloydSteps; ++step) {
-        std::vector<glm::vec3> sums(m_centres.size(), glm::vec3(0.0F));
-        std::vector<float> members(m_centres.size(), 0.0F);
-        for (std::uint32_t basis = 0; basis < count; ++basis) {
-            const std::uint32_t region = m_regionOfBasis[basis];
-            if (region == kNoCentre)
-                continue;
-            float nearest = kFar;
-            for (std::uint32_t i = m_regionStart[region]; i < m_regionStart[region + 1]; ++i) {
-                const float squared = squaredDistance(positionOf(m_centres[i]), positionOf(basis));
-                if (squared < nearest) {
-                    nearest = squared;
-                    cellOf[basis] = i;
+        const auto& nearest = roots.neighbours[braid.root];
+        const auto isFree = [&](std::uint32_t basis) { return taken[basis] == 0; };
+        braid.basis = nearest[0];
+        if (const auto* const free = std::ranges::find_if(nearest, isFree); free != nearest.end()) {
+            braid.basis = *free;
+        } else {
+            for (const std::uint32_t basis : nearest) {
+                const auto& next = roots.neighbours[roots.basisSlot[basis]];
+                if (const auto* const beyond = std::ranges::find_if(next, isFree); beyond != next.end()) {
+                    braid.basis = *beyond;
+                    break;
                 }
             }
-            sums[cellOf[basis]] += positionOf(basis);
-            members[cellOf[basis]] += 1.0F;
         }
-        std::vector<float> nearest(m_centres.size(), kFar);
-        std::vector<std::uint32_t> moved = m_centres;
-        for (std::uint32_t basis = 0; basis < count; ++basis) {
-            if (m_regionOfBasis[basis] == kNoCentre)
-                continue;
-            const std::uint32_t cell = cellOf[basis];
-            const float squared = squaredDistance(sums[cell] / members[cell], positionOf(basis));
-            if (squared < nearest[cell]) {
-                nearest[cell] = squared;
-                moved[cell] = basis;
-            }
-        }
-        m_centres = std::move(moved);
+        taken[braid.basis] = 1;
     }
 }
 
-std::uint32_t BraidLayout::centreOf(const RootSet& roots, std::uint32_t slot, std::uint8_t kind) const
+void BraidLayout::assignHairs(const Inputs& inputs)
 {
-    if (kind == 0 || m_centres.empty())
-        return kNoCentre;
-    for (const std::uint32_t neighbour : roots.neighbours[slot]) {
-        if (m_kindOfBasis[neighbour] != kind)
-            continue;
-        std::uint32_t best = kNoCentre;
-        float nearest = std::numeric_limits<float>::max();
-        for (const std::uint32_t centre : centresOfRegion(m_regionOfBasis[neighbour])) {
-            const float squared = squaredDistance(roots.positionHd[roots.basisSlot[centre]], roots.positionHd[slot]);
-            if (squared < nearest) {
-                nearest = squared;
-                best = centre;
-            }
-        }
-        return best;
+    if (m_braids.empty()) {
+        m_braidOfSlot.clear();
+        m_hairCount.clear();
+        return;
     }
-    return kNoCentre;
+    const RootSet& roots = inputs.roots;
+    m_braidOfSlot.assign(roots.count(), kNoCentre);
+    for (std::size_t patch = 0; patch + 1 < m_firstMember.size(); ++patch) {
+        std::vector<glm::vec3> rootsHd;
+        for (std::uint32_t i = m_firstBraid[patch]; i < m_firstBraid[patch + 1]; ++i)
+            rootsHd.push_back(roots.positionHd[m_braids[i].root]);
+        if (rootsHd.empty())
+            continue;
+        const std::size_t first = m_firstMember[patch];
+        parallelFor(m_firstMember[patch + 1] - first, kHairsAtOnce, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = first + begin; i < first + end; ++i)
+                m_braidOfSlot[m_members[i]] =
+                    m_firstBraid[patch] +
+                    static_cast<std::uint32_t>(nearestOf(rootsHd, roots.positionHd[m_members[i]]));
+        });
+    }
+    m_hairCount.assign(m_braids.size(), 0);
+    for (const std::uint32_t slot : m_members)
+        ++m_hairCount[m_braidOfSlot[slot]];
+}
+
+void BraidLayout::measure(const Inputs& inputs)
+{
+    for (std::size_t i = 0; i < m_braids.size(); ++i) {
+        Braid& braid = m_braids[i];
+        const bool isOwn = inputs.roots.basisSlot[braid.basis] == braid.root;
+        braid.lengthM =
+            isOwn ? inputs.basisLengthM[braid.basis]
+                  : std::max(lengthOf(inputs.settings, inputs.length.scalar(inputs.roots.uv[braid.root])), kShortestM);
+        braid.radiusM = std::min(braidRadiusM(inputs.settings, braid.lengthM),
+                                 filledRadiusM(inputs.settings, braid.kind, m_hairCount[i]));
+    }
 }
 
 } // namespace hairpaint::sim

@@ -1,50 +1,78 @@
-// Where braids grow: connected regions of braid kind, their centres, and the centre that each hair belongs to.
+// Where braids grow: on each painted patch one or several, their roots, and the braid that each hair belongs to.
 #pragma once
 
 #include "sim/groom/groom.h"
+#include "sim/groom/map_sampler.h"
+#include "sim/groom/patch_labels.h"
+#include "sim/groom/slot_set.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace hairpaint::sim {
 
-/// Neighbours in a region stand no further apart than this many mean spacings of basis hairs.
-inline constexpr float kBraidReachSpacings = 1.8F;
+struct Braid
+{
+    std::uint32_t root = 0;  ///< The slot on which it stands: a hair of its patch.
+    std::uint32_t basis = 0; ///< The solved hair that it follows: its root's own, or one nearby.
+    BraidKind kind = BraidKind::None;
+    float lengthM = 0.0F;
+    float radiusM = 0.0F; ///< r of equation 3: the group's, but no more than its length and its hairs fill.
+    friend bool operator==(const Braid&, const Braid&) = default;
+};
 
-/// Basis hairs of one kind that stand within kBraidReachSpacings of each other form a region. Each region has centres
-/// at least the group's braid spacing apart, then moved to the middle of the part that is nearest to them. Immutable.
-/// Where very many basis hairs crowd onto one spot, some of a region may be left out of it and braid by themselves.
+/// Touching texels of one kind on which hair grows are a patch, also across seams; so bare or unpainted skin is a
+/// parting. A patch has braids at least the group's spacing apart, then moved to the middle of the hairs that are
+/// nearest to them. All its hairs belong to the nearest of them. One thread at a time.
 class BraidLayout
 {
 public:
-    BraidLayout() = default;
-    /// kindOfBasis: [basis hairs], BraidKind.
-    BraidLayout(const RootSet& roots, std::vector<std::uint8_t> kindOfBasis, float spacingM);
-
-    /// Whether no hair is braided.
-    [[nodiscard]] bool empty() const { return m_centres.empty(); }
-    /// The nearest centre of the region around `slot`, as an index into basis hairs; kNoCentre where no neighbouring
-    /// basis hair is of this kind.
-    [[nodiscard]] std::uint32_t centreOf(const RootSet& roots, std::uint32_t slot, std::uint8_t kind) const;
-    [[nodiscard]] std::span<const std::uint32_t> centres() const { return m_centres; }
-    /// Pairs of basis hairs whose distance was looked at. For tests.
-    [[nodiscard]] std::size_t compared() const { return m_compared; }
-
-private:
-    void findRegions(const RootSet& roots);
-    void chooseCentres(const RootSet& roots, float spacingM);
-    void moveCentresToTheMiddle(const RootSet& roots);
-    [[nodiscard]] std::span<const std::uint32_t> centresOfRegion(std::uint32_t region) const
+    struct Inputs
     {
-        return std::span(m_centres).subspan(m_regionStart[region], m_regionStart[region + 1] - m_regionStart[region]);
+        const RootSet& roots;
+        const MapRaster& braid;
+        const MapRaster& density;
+        std::span<const std::uint8_t> kinds; ///< [slots] BraidKind of hairs that are to be braided, else 0.
+        bool otherKinds;                     ///< Some differ from those of the update before.
+        const GroupSettings& settings;
+        const MapSampler& length;
+        std::span<const float> basisLengthM; ///< [basis hairs]
+    };
+    /// Nothing is braided; what is known of the skin stays for as long as that is the same.
+    void startOver();
+    /// Adds the hairs whose braid differs. True where any braid does.
+    bool update(const Inputs& inputs, SlotSet& dirty);
+
+    [[nodiscard]] std::span<const Braid> braids() const { return m_braids; }
+    /// Null: not braided.
+    [[nodiscard]] const Braid* of(std::uint32_t slot) const
+    {
+        return m_braidOfSlot.empty() || m_braidOfSlot[slot] == kNoCentre ? nullptr : &m_braids[m_braidOfSlot[slot]];
     }
 
-    std::vector<std::uint8_t> m_kindOfBasis;
-    std::vector<std::uint32_t> m_regionOfBasis; ///< kNoCentre where there is no braid.
-    std::vector<std::uint32_t> m_regionStart;   ///< [regions + 1], into m_centres.
-    std::vector<std::uint32_t> m_centres;       ///< Indices of basis hairs.
-    std::size_t m_compared = 0;
+private:
+    [[nodiscard]] bool updateLabels(const Inputs& inputs);
+    void sortByPatch(const Inputs& inputs);
+    /// Of one patch; `begin` and `end` in m_members.
+    void plant(const Inputs& inputs, std::size_t begin, std::size_t end);
+    void borrowBasis(const Inputs& inputs);
+    void assignHairs(const Inputs& inputs);
+    void measure(const Inputs& inputs);
+
+    std::shared_ptr<const SkinIslands> m_islands;
+    PatchLabels m_labels;
+    MapRaster m_braid, m_density;
+    std::shared_ptr<const TiledRaster> m_laced; ///< The braid map where hair grows, else 0.
+    std::vector<Braid> m_braids;
+    std::vector<std::uint32_t> m_braidOfSlot; ///< [slots] kNoCentre: none; empty where there is no braid.
+    std::vector<std::uint32_t> m_hairCount;   ///< Of each braid.
+    // While laying out:
+    std::vector<std::uint32_t> m_members;       ///< Slots, patch by patch.
+    std::vector<std::uint32_t> m_firstMember;   ///< [patches + 1]
+    std::vector<std::uint32_t> m_firstBraid;    ///< [patches + 1]
+    std::vector<glm::vec3> m_middlesHd;         ///< Of each braid's hairs.
 };
 
 } // namespace hairpaint::sim

@@ -1,6 +1,7 @@
 // A cubic over the scalp, lifted a little, and a straight line from the centre's root.
 #include "sim/groom/braid_path.h"
 
+#include "sim/base/deterministic.h"
 #include "sim/groom/strand_curve.h"
 
 #include <algorithm>
@@ -15,6 +16,8 @@ constexpr std::size_t kSamples = 17;   ///< Of the part on the scalp.
 constexpr float kLiftM = 0.002F;       ///< Hairs on their way lie on those below them,
 constexpr float kLiftFraction = 0.05F; ///< and are lifted by this fraction of it: a few nodes must clear a round head.
 constexpr float kPitchRadii = 9.0F;    ///< Length of one turn of equation 3, in its radius r.
+constexpr float kFourPitch = 1.4F;     ///< That of flat plaits, in those of a plait of three.
+constexpr float kFivePitch = 1.8F;
 
 float lengthOf(glm::vec3 v)
 {
@@ -51,26 +54,61 @@ std::array<glm::vec3, kSamples> scalpPath(const RootFrame& from, const RootFrame
     return path;
 }
 
-/// Equation 3's radius r; that of a short braid is smaller.
-float braidRadiusM(const GroupSettings& settings, float lengthM)
+float pitchOf(BraidKind kind)
 {
-    return std::min(settings.braidRadiusM, lengthM * 0.25F);
+    return kind == BraidKind::PlaitOfFour ? kFourPitch : kind == BraidKind::PlaitOfFive ? kFivePitch : 1.0F;
+}
+
+std::uint16_t in255ths(float fraction)
+{
+    // Not negative, so that the cast rounds down. NOLINTNEXTLINE(bugprone-incorrect-roundings)
+    return static_cast<std::uint16_t>(std::clamp(fraction, 0.0F, 1.0F) * 255.0F + 0.5F);
 }
 
 /// How far hairs are from the skeleton at most, in units of r: their wisp's path and its own radius.
 float girthFraction(BraidKind kind)
 {
-    switch (kind) {
-    case BraidKind::None:
+    if (kind == BraidKind::None)
         return 0.0F;
-    case BraidKind::Plait:
-        return 1.25F + kWispRadiusFraction; // The furthest that (cos t, sin 2t) of equation 3 is from 0.
-    case BraidKind::Twist:
-        return kTwistFraction + kTwistWispFraction;
-    case BraidKind::Loc:
-        return kLocWispFraction;
+    const BraidLacing lacing = lacingOf(kind);
+    // The furthest that (cos t, sin 2t) of equation 3 is from 0; a circle keeps its distance.
+    constexpr float kCorner = 1.25F;
+    const bool isRound = lacing.wisps < 3;
+    return lacing.wisp + (isRound ? lacing.path.x : std::max(lacing.path.x, lacing.path.y) * kCorner);
+}
+
+/// Draws the hairs of a wisp to the strands that it is made of, so that these are seen.
+glm::vec2 inItsStrand(glm::vec2 offset)
+{
+    constexpr int kStrands = 11;
+    constexpr float kDrawn = 0.5F;
+    constexpr float kGoldenAngle = 2.3999632F;
+    glm::vec2 nearest(0.0F);
+    float least = 9.0F;
+    for (int i = 0; i < kStrands; ++i) {
+        const float r = std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(kStrands));
+        const float angle = kGoldenAngle * static_cast<float>(i);
+        const glm::vec2 middle = r * glm::vec2(cosDet(angle), sinDet(angle));
+        const glm::vec2 away = middle - offset;
+        if (glm::dot(away, away) < least) {
+            least = glm::dot(away, away);
+            nearest = middle;
+        }
     }
-    return 0.0F;
+    return offset + (nearest - offset) * kDrawn;
+}
+
+/// Some hairs leave their wisp: the more the frizzier they are and the looser it is laced.
+float astray(const GroupSettings& settings, const StrandStyle& style)
+{
+    constexpr float kPerMetre = 15.0F;
+    constexpr float kLoose = 0.06F;
+    constexpr float kFurthest = 0.6F;
+    const float fraction =
+        style.frizzM * kPerMetre + std::max(1.0F - 2.0F * settings.braidTightness, 0.0F) * kLoose;
+    const float chance = style.variation * 57.3F;
+    const float own = chance - std::floor(chance);
+    return own < fraction ? 1.0F + kFurthest * own / fraction : 1.0F;
 }
 
 } // namespace
@@ -105,33 +143,49 @@ float braidRest(const RootFrame& root, const RootFrame& centre, float aboveM, fl
 
 std::uint32_t wispCount(BraidKind kind)
 {
-    return kind == BraidKind::Plait ? 3 : kind == BraidKind::Twist ? 2 : 1;
+    return static_cast<std::uint32_t>(lacingOf(kind).wisps);
 }
 
-float braidGirthM(const GroupSettings& settings, BraidKind kind, float lengthM)
+float braidRadiusM(const GroupSettings& settings, float lengthM)
 {
-    return braidRadiusM(settings, lengthM) * girthFraction(kind);
+    return std::min(settings.braidRadiusM, lengthM * 0.25F);
 }
 
-float braidBeginsAboveM(const GroupSettings& settings, BraidKind kind, float lengthM)
+float braidGirthM(BraidKind kind, float radiusM)
 {
-    return kBraidFirstFraction * braidGirthM(settings, kind, lengthM);
+    return radiusM * girthFraction(kind);
 }
 
-void applyBraid(const GroupSettings& settings, BraidKind kind, const WispChance& chance, float scalpM,
-                float centreLengthM, StrandStyle& style)
+float braidBeginsAboveM(BraidKind kind, float radiusM)
 {
-    style.lengthM = scalpM + centreLengthM;
+    return kBraidFirstFraction * braidGirthM(kind, radiusM);
+}
+
+void placeInWisp(const GroupSettings& settings, const WispChance& chance, StrandStyle& style)
+{
+    // Tight hair fills its wisp less, loose hair more.
+    constexpr float kTightens = 0.3F;
+    const float filled = 1.0F + kTightens * (0.5F - settings.braidTightness);
+    style.wispOffset = inItsStrand(chance.wispOffset) * (filled * astray(settings, style));
+}
+
+void applyBraid(const GroupSettings& settings, BraidKind kind, const WispChance& chance, const BraidMeasures& measures,
+                StrandStyle& style)
+{
+    style.lengthM = measures.scalpM + measures.lengthM;
     style.turns = 0.0F;
     style.curlRadiusM = 0.0F;
     style.phase = 0.0F;
     style.braid = kind;
     style.wisp = static_cast<std::uint8_t>(chance.wisp % wispCount(kind));
-    style.braidRadiusM = braidRadiusM(settings, centreLengthM);
+    style.braidRadiusM = measures.radiusM;
     style.braidStart =
         static_cast<float>(gatheringNode(settings.nodesPerHair)) / static_cast<float>(settings.nodesPerHair - 1);
-    style.braidTurns = centreLengthM / (kPitchRadii * std::max(settings.braidRadiusM, 1e-4F));
-    style.wispOffset = chance.wispOffset;
+    style.braidTurns = measures.lengthM /
+                       (kPitchRadii * pitchOf(kind) * settings.braidKnot * std::max(measures.radiusM, 1e-4F));
+    placeInWisp(settings, chance, style);
+    style.braidTaper = in255ths(settings.braidTaper);
+    style.braidTied = in255ths(settings.braidTie);
 }
 
 } // namespace hairpaint::sim

@@ -17,16 +17,27 @@ namespace hairpaint::sim {
 [[nodiscard]] float braidRest(const RootFrame& root, const RootFrame& centre, float aboveM, float centreLengthM,
                               std::span<glm::vec3> nodesHd);
 
-/// A plait has three wisps, a twist two, a loc one.
+/// Of a kind: see BraidLacing.
 [[nodiscard]] std::uint32_t wispCount(BraidKind kind);
 
-/// Half the thickness of a braid `lengthM` long, m: how far its hairs are from its skeleton at most.
-[[nodiscard]] float braidGirthM(const GroupSettings& settings, BraidKind kind, float lengthM);
+/// Equation 3's radius r, m: the group's; that of a short braid is smaller.
+[[nodiscard]] float braidRadiusM(const GroupSettings& settings, float lengthM);
+/// Half the thickness of a braid, m: how far its hairs are from its skeleton at most.
+[[nodiscard]] float braidGirthM(BraidKind kind, float radiusM);
 /// How far over the skin a braid begins, so that it is clear of it there, m.
-[[nodiscard]] float braidBeginsAboveM(const GroupSettings& settings, BraidKind kind, float lengthM);
+[[nodiscard]] float braidBeginsAboveM(BraidKind kind, float radiusM);
 
-/// Makes a style that of a hair in a braid, whose path is `scalpM` on the scalp and `centreLengthM` along its centre.
-void applyBraid(const GroupSettings& settings, BraidKind kind, const WispChance& chance, float scalpM,
-                float centreLengthM, StrandStyle& style);
+/// What a braid is to its hairs, m.
+struct BraidMeasures
+{
+    float scalpM = 0.0F; ///< Of the hair's own way to it,
+    float lengthM = 0.0F;
+    float radiusM = 0.0F; ///< r of equation 3.
+};
+/// Where a hair of a braid runs in its wisp: also by its frizz.
+void placeInWisp(const GroupSettings& settings, const WispChance& chance, StrandStyle& style);
+/// Makes a style that of a hair in a braid.
+void applyBraid(const GroupSettings& settings, BraidKind kind, const WispChance& chance, const BraidMeasures& measures,
+                StrandStyle& style);
 
 } // namespace hairpaint::sim

@@ -54,11 +54,8 @@ public:
             m_gathered.write(slot, chance, values, hair.own, style);
             return;
         }
-        if (isDrawn && m_inputs.kinds[slot] != 0 && hair.own.babyM == 0.0F) {
-            const std::uint32_t centre = m_inputs.braids.centreOf(roots, slot, m_inputs.kinds[slot]);
-            if (centre != kNoCentre)
-                return braid(slot, style, centre);
-        }
+        if (const Braid* braid = m_inputs.braids.of(slot); braid != nullptr && isDrawn && hair.own.babyM == 0.0F)
+            return joinBraid(slot, style, *braid);
         hair.gathered = gatheredBy(values.curl);
         const LayRoot root = layRootOf(m_inputs.settings, roots, slot, chance,
                                        liftOf(m_inputs.settings, style.curlRadiusM, style.lengthM));
@@ -132,8 +129,11 @@ public:
     /// Of a hair that lies as it did.
     void look(std::uint32_t slot)
     {
-        m_look.give(m_inputs.roots.uv[slot], m_varies ? ownOf(slot, {}) : HairVariation{},
-                    m_chunk.styles[slot - m_firstSlot]);
+        const RootSet& roots = m_inputs.roots;
+        StrandStyle& style = m_chunk.styles[slot - m_firstSlot];
+        m_look.give(roots.uv[slot], m_varies ? ownOf(slot, {}) : HairVariation{}, style);
+        if (style.braid != BraidKind::None)
+            placeInWisp(m_inputs.settings, wispChanceOf(roots.seed, roots.rankOfSlot[slot]), style);
     }
 
     void clear(std::uint32_t slot)
@@ -173,18 +173,16 @@ private:
                                seenOverCut(m_inputs.settings, values.curl, values.curlSize));
     }
 
-    void braid(std::uint32_t slot, StrandStyle style, std::uint32_t centre)
+    void joinBraid(std::uint32_t slot, StrandStyle style, const Braid& braid)
     {
         const RootSet& roots = m_inputs.roots;
-        const float centreLengthM = m_inputs.basisLengthM[centre];
-        const auto kind = static_cast<BraidKind>(m_inputs.kinds[slot]);
-        const float scalpM = braidRest(rootFrame(roots, slot), rootFrame(roots, roots.basisSlot[centre]),
-                                       braidBeginsAboveM(m_inputs.settings, kind, centreLengthM), centreLengthM,
-                                       std::span(m_buffer).first(m_nodes));
-        applyBraid(m_inputs.settings, kind, wispChanceOf(roots.seed, roots.rankOfSlot[slot]), scalpM, centreLengthM,
-                   style);
+        const float scalpM =
+            braidRest(rootFrame(roots, slot), rootFrame(roots, braid.root),
+                      braidBeginsAboveM(braid.kind, braid.radiusM), braid.lengthM, std::span(m_buffer).first(m_nodes));
+        applyBraid(m_inputs.settings, braid.kind, wispChanceOf(roots.seed, roots.rankOfSlot[slot]),
+                   {.scalpM = scalpM, .lengthM = braid.lengthM, .radiusM = braid.radiusM}, style);
         m_passed.put(slot, {});
-        store(slot, style, {.centre = centre, .leader = roots.neighbours[slot][0]});
+        store(slot, style, {.centre = braid.basis, .leader = roots.neighbours[slot][0]});
         storeBuffer(slot);
     }
 
@@ -332,6 +330,14 @@ void findLeastDetails(StrandChunk& chunk)
 
 } // namespace
 
+float hairDensity(const VariationSettings& variation, const Hairline& hairline, const MapSamplers& maps,
+                  const RootSet& roots, std::uint32_t slot)
+{
+    const float density = hairline.isOff() ? maps[MapSlot::Density].scalar(roots.uv[slot])
+                                           : hairline.density(slot) * densityAtDepth(hairline.depth(slot));
+    return density * densityLeft(variation, roots.positionHd[slot]);
+}
+
 std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
                                                 const std::shared_ptr<const StrandChunk>& before,
                                                 std::size_t chunkIndex, const ChangedSlots& dirty, PassedCells& passed,
@@ -342,7 +348,6 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
     std::bitset<kChunkSlots> hairs = before ? before->hairs : std::bitset<kChunkSlots>{};
     std::bitset<kChunkSlots> kept = hairs;
     std::array<float, kChunkSlots> densities; // Written where read.
-    const bool hasPatches = inputs.settings.variation.patches > 0.0F;
     bool differs = false;
     dirty.look.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
         if (hairs[slot - firstSlot]) {
@@ -352,11 +357,7 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
     });
     dirty.hairs.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
         const std::size_t local = slot - firstSlot;
-        densities[local] = inputs.hairline.isOff()
-                               ? inputs.maps[MapSlot::Density].scalar(roots.uv[slot])
-                               : inputs.hairline.density(slot) * densityAtDepth(inputs.hairline.depth(slot));
-        if (hasPatches)
-            densities[local] *= densityLeft(inputs.settings.variation, roots.positionHd[slot]);
+        densities[local] = hairDensity(inputs.settings.variation, inputs.hairline, inputs.maps, roots, slot);
         const bool isHair = roots.threshold(slot) < densities[local];
         if (isHair || hairs[local]) {
             rebuilt.insert(slot);

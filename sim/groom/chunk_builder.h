@@ -27,12 +27,15 @@ struct ChunkInputs
     const LayInputs& lay;
     const BasisStyles& basis;
     const BraidLayout& braids;
-    std::span<const std::uint8_t> kinds; ///< [slots]
-    std::span<const float> basisLengthM; ///< [basis hairs]
+    std::span<const std::uint8_t> kinds; ///< [slots] The braid map's.
     const LockPartition& locks;
     const Hairline& hairline;
     const Gathering& gathering;
 };
+
+/// Density at a root: it is a hair where that is above its threshold.
+[[nodiscard]] float hairDensity(const VariationSettings& variation, const Hairline& hairline, const MapSamplers& maps,
+                                const RootSet& roots, std::uint32_t slot);
 
 /// The chunk with the hairs of `dirty` evaluated anew and those of its look coloured anew: `before` itself where none
 /// of them was a hair or is one, null where no hair is left. Adds to `rebuilt` those that were or are hairs; puts into

@@ -29,20 +29,39 @@ inline constexpr float kSwitchFactor = 2.39F;
 /// they come to it over the span before, since so many hairs never pass through one point.
 inline constexpr float kBraidEaseTurns = 0.5F;
 inline constexpr float kBraidFirstFraction = 0.25F;
-/// A wisp's radius in units of r: wisps touch where the plait bends too.
-inline constexpr float kWispRadiusFraction = 0.9F;
+/// A plait of three: a wisp's radius in units of r. The middles of its wisps come as near as 1.13 r to each other and the
+/// nearest of them is never further than 1.26 r, so wisps touch everywhere and none is in another.
+inline constexpr float kWispRadiusFraction = 0.62F;
 /// The wisps of a twist run round its middle at this distance and have this radius, in units of r; a loc is one wisp.
 inline constexpr float kTwistFraction = 0.6F;
 inline constexpr float kTwistWispFraction = 0.65F;
 inline constexpr float kLocWispFraction = 0.9F;
+/// Flat plaits of more wisps and a fishtail: how far from the middle wisps run along the braid's width and through its
+/// thickness, and their radius, in units of r.
+inline constexpr float kFourWide = 1.3F;
+inline constexpr float kFourThick = 0.75F;
+inline constexpr float kFourWisp = 0.43F;
+inline constexpr float kFiveWide = 1.5F;
+inline constexpr float kFiveThick = 0.75F;
+inline constexpr float kFiveWisp = 0.335F;
+inline constexpr float kFishtailWisps = 9.0F;
+inline constexpr float kFishtailWide = 1.0F;
+inline constexpr float kFishtailThick = 0.9F;
+inline constexpr float kFishtailWisp = 0.215F;
+/// How far the hairs of a wisp turn about its middle in a turn of the braid, in turns.
+inline constexpr float kWispTwist = 0.3F;
 /// A wisp's greatest radius along the braid, in turns of it, so that three, or two, of them fill a turn.
 inline constexpr float kPlaitRoomTurns = 0.2F;
 inline constexpr float kTwistRoomTurns = 0.3F;
-/// Last fraction of the braid, a tuft like a paint brush: its wisps become one and open to kTuftWispFraction of their
-/// radius, and the hairs of a wisp's rim end kTuftUneven of it before the end, those of its middle there.
+/// Last fraction of the braid, a tuft like a paint brush: its wisps become one, which opens over kTuftOpens of it to
+/// kTuftWispFraction of their radius and narrows to kTuftTipFraction; each hair ends by chance within the last
+/// kTuftUneven of it.
 inline constexpr float kTuftFraction = 0.12F;
+inline constexpr float kTuftOpens = 0.3F;
 inline constexpr float kTuftWispFraction = 1.5F;
-inline constexpr float kTuftUneven = 0.5F;
+inline constexpr float kTuftTipFraction = 0.8F;
+inline constexpr float kTuftUneven = 0.6F;
+inline constexpr float kOwnEndFactor = 83.9F;
 /// Fraction of the braid before the tuft where it is drawn together as by a tie: there the wisps close up to
 /// kTieBraidFraction of r, and each to kTieWispFraction of its radius.
 inline constexpr float kTieFraction = 0.05F;

@@ -161,20 +161,50 @@ CURVE_FUNCTION Vec3 coilOffset(CoiledHair hair, CoilTraits traits, Num s)
     return vec3Of(cosOf(angle) * radiusM, sinOf(angle) * radiusM * (1.0F - traits.flatness), Num(0.0F));
 }
 
-// A hair of a braid: a plait of three wisps, a twist of two, or a loc, which is one.
-struct BraidedHair
+// How the wisps of a kind of braid (sim::BraidKind) run: each swings once across its width and `swings` times through its
+// thickness in a turn, so that of two that cross one is always above; pathX and pathZ are how far, wisp a wisp's radius,
+// in units of r.
+struct Lacing
 {
-    Flag isTwist, isLoc;
-    Num pathFraction; // Of r: the distance of the wisps from the middle of the braid. See braidPathFraction().
-    Num radiusM;      // r
-    Num turns;
-    Num wispX, wispY; // The hair's position in its wisp, in units of the wisp's radius.
+    Num wisps, swings;
+    Num pathX, pathZ;
+    Num wisp;
+    Num roomTurns; // A wisp's greatest radius along the braid.
 };
 
-CURVE_FUNCTION Num braidPathFraction(Flag isTwist, Flag isLoc)
+CURVE_FUNCTION Num ofKind(Num kind, Num plait, Num twist, Num loc, Num four, Num five, Num fishtail)
 {
-    return select(isLoc, Num(0.0F), select(isTwist, Num(kTwistFraction), Num(1.0F)));
+    return select(kind < 1.5F, plait,
+                  select(kind < 2.5F, twist,
+                         select(kind < 3.5F, loc, select(kind < 4.5F, four, select(kind < 5.5F, five, fishtail)))));
 }
+
+CURVE_FUNCTION Lacing lacingOf(Num kind)
+{
+    Lacing lacing;
+    lacing.wisps = ofKind(kind, Num(3.0F), Num(2.0F), Num(1.0F), Num(4.0F), Num(5.0F), Num(kFishtailWisps));
+    lacing.swings = ofKind(kind, Num(2.0F), Num(1.0F), Num(2.0F), Num(3.0F), Num(4.0F), Num(2.0F));
+    lacing.pathX =
+        ofKind(kind, Num(1.0F), Num(kTwistFraction), Num(0.0F), Num(kFourWide), Num(kFiveWide), Num(kFishtailWide));
+    lacing.pathZ =
+        ofKind(kind, Num(1.0F), Num(kTwistFraction), Num(0.0F), Num(kFourThick), Num(kFiveThick), Num(kFishtailThick));
+    lacing.wisp = ofKind(kind, Num(kWispRadiusFraction), Num(kTwistWispFraction), Num(kLocWispFraction), Num(kFourWisp),
+                         Num(kFiveWisp), Num(kFishtailWisp));
+    lacing.roomTurns = ofKind(kind, Num(kPlaitRoomTurns), Num(kTwistRoomTurns), Num(kPlaitRoomTurns),
+                              Num(kPlaitRoomTurns), Num(kPlaitRoomTurns), Num(kPlaitRoomTurns));
+    return lacing;
+}
+
+// A hair of a braid.
+struct BraidedHair
+{
+    Num radiusM; // r
+    Num turns;
+    Num wispX, wispY; // The hair's position in its wisp, in units of the wisp's radius.
+    Num chance;       // -1..1, the hair's own: where it ends in the tuft.
+    Num taper;        // 0..1: fraction by which r is smaller at the end.
+    Num tied;         // 0..1: how far the braid is drawn together before its tuft.
+};
 
 // Where a fraction s of the strand lies in a braid that begins at `start`: 0..1.
 CURVE_FUNCTION Num braidFraction(Num s, Num start)
@@ -203,56 +233,67 @@ struct BraidGirth
     Num wispM; // and of a wisp.
 };
 
-CURVE_FUNCTION BraidGirth braidGirth(BraidedHair hair, Num q)
+CURVE_FUNCTION BraidGirth braidGirth(BraidedHair hair, Lacing lacing, Num q)
 {
     Num parted = least(q * hair.turns * (1.0F / kBraidEaseTurns), Num(1.0F));
-    Num r = hair.radiusM * mixed(Num(kBraidFirstFraction), Num(1.0F), parted);
+    Num r = hair.radiusM * mixed(Num(kBraidFirstFraction), Num(1.0F), parted) * (1.0F - hair.taper * q);
     Num tie = clamped(over(q - (1.0F - kTuftFraction - kTieFraction), kTieFraction), 0.0F, 1.0F);
-    Num tied = select(hair.isLoc, Num(0.0F), tie * tie * (3.0F - tie * 2.0F));
-    Num fraction = select(hair.isLoc, Num(kLocWispFraction),
-                          select(hair.isTwist, Num(kTwistWispFraction), Num(kWispRadiusFraction)));
+    Flag isOne = lacing.wisps < 1.5F;
+    Num tied = select(isOne, Num(0.0F), tie * tie * (3.0F - tie * 2.0F) * hair.tied);
     BraidGirth girth;
-    girth.tuft = select(hair.isLoc, Num(0.0F), over(most(q - (1.0F - kTuftFraction), Num(0.0F)), kTuftFraction));
-    girth.pathM = hair.pathFraction * r * mixed(Num(1.0F), Num(kTieBraidFraction), tied) * (1.0F - girth.tuft);
-    girth.wispM = r * fraction *
-                  (mixed(Num(1.0F), Num(kTieWispFraction), tied) +
-                   (kTuftWispFraction - kTieWispFraction) * girth.tuft * (2.0F - girth.tuft));
+    girth.tuft = select(isOne, Num(0.0F), over(most(q - (1.0F - kTuftFraction), Num(0.0F)), kTuftFraction));
+    Num opened = least(over(girth.tuft, kTuftOpens), Num(1.0F));
+    Num narrowed = most(over(girth.tuft - kTuftOpens, 1.0F - kTuftOpens), Num(0.0F));
+    girth.pathM = r * mixed(Num(1.0F), Num(kTieBraidFraction), tied) * (1.0F - opened);
+    // One of all wisps, as thick as a wisp of a plait of three would be where they are finer.
+    Num whole = most(lacing.wisp, lacing.pathX * kWispRadiusFraction);
+    Num open = mixed(lacing.wisp * mixed(Num(1.0F), Num(kTieWispFraction), tied), whole * kTuftWispFraction,
+                     opened * (2.0F - opened));
+    girth.wispM = r * mixed(open, whole * kTuftTipFraction, narrowed);
     return girth;
 }
 
-// Equation 3 without its linear part, in units of the path's radius, and how it goes on by a radian. x along the
-// frame's first axis, z along the third. The two wisps of a twist run on a circle.
+// Equation 3 without its linear part, in units of r, and how it goes on by a radian. x along the frame's first axis, z
+// along the third.
 struct WispPath
 {
     Num x, z;
     Num onwardX, onwardZ;
 };
 
-CURVE_FUNCTION WispPath wispPath(Flag isTwist, Num angle)
+CURVE_FUNCTION WispPath wispPath(Lacing lacing, Num angle)
 {
-    Num swings = select(isTwist, Num(1.0F), Num(2.0F)); // Along the third axis, for one along the first.
     WispPath path;
-    path.x = cosOf(angle);
-    path.z = sinOf(angle * swings);
-    path.onwardX = 0.0F - sinOf(angle);
-    path.onwardZ = swings * cosOf(angle * swings);
+    path.x = cosOf(angle) * lacing.pathX;
+    path.z = sinOf(angle * lacing.swings) * lacing.pathZ;
+    path.onwardX = 0.0F - sinOf(angle) * lacing.pathX;
+    path.onwardZ = lacing.swings * cosOf(angle * lacing.swings) * lacing.pathZ;
     return path;
 }
 
-// From the strand's axis: along the frame's first axis, the strand, and the third. `along`: the wisp's direction there,
-// of unit length in those axes.
-CURVE_FUNCTION Vec3 braidedOffset(BraidedHair hair, BraidGirth girth, WispPath path, Vec3 along, Num braidM)
+// At a fraction q of a braid of so many metres, of one of its wisps, from the strand's axis: along the frame's first
+// axis, the strand, and the third.
+CURVE_FUNCTION Vec3 braidedOffset(BraidedHair hair, Num kind, Num wisp, Num q, Num braidM)
 {
-    // A hair's position in the wisp lies across the wisp's own path, so that wisps are round.
+    Lacing lacing = lacingOf(kind);
+    BraidGirth girth = braidGirth(hair, lacing, q);
+    Num turned = hair.turns * q * kFullTurn;
+    WispPath path = wispPath(lacing, turned + wisp / lacing.wisps * kFullTurn);
+    Num perLength = girth.pathM * hair.turns * kFullTurn / most(braidM, Num(1e-6F));
+    Num onwardX = path.onwardX * perLength;
+    Num onwardZ = path.onwardZ * perLength;
+    Num perUnit = 1.0F / root(1.0F + onwardX * onwardX + onwardZ * onwardZ);
+    Vec3 along = vec3Of(onwardX * perUnit, perUnit, onwardZ * perUnit);
+    // A hair's position in the wisp lies across the wisp's own path, so that wisps are round, and turns about it.
     Num aside = root(along.y * along.y + along.z * along.z);
-    Num x = hair.wispX * girth.wispM;
-    Num y = hair.wispY * girth.wispM;
+    Num c = cosOf(turned * kWispTwist);
+    Num s = sinOf(turned * kWispTwist);
+    Num x = (hair.wispX * c - hair.wispY * s) * girth.wispM;
+    Num y = (hair.wispX * s + hair.wispY * c) * girth.wispM;
     // Along the braid they have the room that their number leaves.
-    Num roomM =
-        braidM * select(hair.isTwist, Num(kTwistRoomTurns), Num(kPlaitRoomTurns)) / most(hair.turns, Num(1e-3F));
+    Num roomM = braidM * lacing.roomTurns / most(hair.turns, Num(1e-3F));
     Num squash = least(Num(1.0F), roomM / most(girth.wispM, Num(1e-6F)));
-    Num shorter =
-        braidM * (kTuftFraction * kTuftUneven) * girth.tuft * (hair.wispX * hair.wispX + hair.wispY * hair.wispY);
+    Num shorter = braidM * (kTuftFraction * kTuftUneven) * girth.tuft * partOf(hair.chance * kOwnEndFactor + 0.5F);
     return vec3Of(path.x * girth.pathM + x * aside,
                   0.0F - (x * along.x * along.y + y * along.z) / aside * squash - shorter,
                   path.z * girth.pathM + (y * along.y - x * along.x * along.z) / aside);

@@ -58,13 +58,15 @@ void GatheredWriter::write(std::uint32_t slot, const RootChance& chance, const R
         const float coreFreeM = tie.coreFreeM;
         tie.lay.layTail(course, coreFreeM, nodes);
         const float start = hair.style.braidStart;
-        applyBraid(settings, kind, wispChanceOf(roots.seed, roots.rankOfSlot[slot]), tautM, coreFreeM, hair.style);
+        applyBraid(settings, kind, wispChanceOf(roots.seed, roots.rankOfSlot[slot]),
+                   {.scalpM = tautM, .lengthM = coreFreeM, .radiusM = braidRadiusM(settings, coreFreeM)}, hair.style);
         hair.style.braidStart = start;
         if (isBun) {
             // A twist of that thickness along a short axis is a coil.
             constexpr float kHeightRadii = 1.1F;
             const float heightM = tie.tie.bunRadiusM * kHeightRadii;
             tie.lay.layAxis(heightM, nodes.subspan(m_ring));
+            hair.style.braidTaper = 0;
             hair.style.braidRadiusM = tie.tie.bunRadiusM / (kTwistFraction + kTwistWispFraction);
             hair.style.braidTurns = coreFreeM / (2.0F * std::numbers::pi_v<float> * kTwistFraction *
                                                  std::max(hair.style.braidRadiusM, 1e-4F));

@@ -20,8 +20,12 @@ enum class BraidKind : std::uint8_t
     None = 0,
     Plait = 1,
     Twist = 2,
-    Loc = 3
+    Loc = 3,
+    PlaitOfFour = 4,
+    PlaitOfFive = 5,
+    Fishtail = 6
 };
+inline constexpr BraidKind kLastBraidKind = BraidKind::Fishtail;
 
 /// What a strand looks like. Rendering packs it for the GPU (view/rendering/gl/packed_style.h).
 struct StrandStyle
@@ -43,12 +47,14 @@ struct StrandStyle
     glm::vec2 wispOffset{0.0F}; ///< Position inside the wisp, in units of the wisp's radius.
     float variation = 0.0F;     ///< -1..1, this hair's own lightness.
     BraidKind braid = BraidKind::None;
-    std::uint8_t wisp = 0;                                        ///< 0..2, see wispNumber(); and kTautBit.
+    std::uint8_t wisp = 0;                                        ///< See wispNumber(); and kTautBit.
     std::uint16_t gloss = ruleOf(MapSlot::Gloss).defaultValue[0]; ///< The gloss map's: 65535 is 1.
     float frizzM = 0.0F; ///< How far it strays from its course at the tip, at most; a short one less.
+    std::uint16_t braidTaper = 0;  ///< 0..255: GroupSettings::braidTaper in 255ths,
+    std::uint16_t braidTied = 255; ///< and braidTie.
 
     static constexpr std::uint8_t kTautBit = 0x80;
-    [[nodiscard]] std::uint8_t wispNumber() const { return wisp & 3U; }
+    [[nodiscard]] std::uint8_t wispNumber() const { return wisp & 15U; }
     /// It begins taut on the head, so that its curve bends from the root on.
     [[nodiscard]] bool isTaut() const { return (wisp & kTautBit) != 0; }
 };

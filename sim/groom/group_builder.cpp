@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -107,7 +108,7 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
             [&](std::uint32_t slot) { dirty.basis.insert(roots->basisSlot[roots->neighbours[slot][0]]); });
         updateBasis(settings, maps, lay, dirty.basis);
         m_gathering.updateBasis({settings, maps, m_kinds, m_basisLengthM, m_locks}, dirty.basis, dirty.hairs);
-        updateBraids(settings, dirty.hairs);
+        updateBraids(input, settings, maps, dirty.hairs);
         updateClumped(settings, maps[MapSlot::Clump], dirty.hairs);
         rebuildChunks(settings, maps, lay, dirty, *groom, result.rebuilt);
         updateWanted(*groom);
@@ -179,8 +180,8 @@ void GroupBuilder::startOver(const GroomInput::Group& input, const std::shared_p
     m_basisLengthM.assign(basisCount, 0.0F);
     m_drawnDependents.assign(basisCount, 0);
     m_kinds.assign(roots->count(), 0);
-    m_kindOfBasis.assign(basisCount, 0);
-    m_braids = BraidLayout();
+    m_braided.assign(roots->count(), 0);
+    m_braids.startOver();
     const int nodes = withinLimits(input.settings).nodesPerHair;
     m_passed.startOver(roots->count(), nodes);
     m_passedByBasis.startOver(basisCount, nodes);
@@ -192,7 +193,7 @@ void GroupBuilder::readKinds(const MapSamplers& maps, const SlotSet& dirty)
         for (std::size_t chunk = begin; chunk < end; ++chunk)
             dirty.forEachInChunk(chunk, [&](std::uint32_t slot) {
                 m_kinds[slot] = static_cast<std::uint8_t>(std::min<std::uint16_t>(
-                    maps[MapSlot::Braid].index(m_roots->uv[slot]), static_cast<std::uint16_t>(BraidKind::Loc)));
+                    maps[MapSlot::Braid].index(m_roots->uv[slot]), static_cast<std::uint16_t>(kLastBraidKind)));
             });
     });
 }
@@ -222,7 +223,6 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
                                const SlotSet& dirty)
 {
     const RootSet& roots = *m_roots;
-    m_basisChanged.assign(roots.basisSlot.size(), 0);
     m_basisRelaid.assign(roots.basisSlot.size(), 0);
     const auto anyDirty = std::any_of(roots.basisSlot.begin(), roots.basisSlot.end(),
                                       [&](std::uint32_t slot) { return dirty.contains(slot); });
@@ -267,11 +267,7 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
             const Coil coil =
                 curl > 0.0F ? coilOf(settings, curl, maps[MapSlot::CurlSize].scalar(roots.uv[slot]), lengthM) : Coil{};
             basis[BasisQuantity::Give][i] = curl > 0.0F ? giveOf(coil, lengthM) : 0.0F;
-            basis[BasisQuantity::Girth][i] = braidGirthM(settings, static_cast<BraidKind>(m_kinds[slot]), lengthM);
-            if (lengthM != m_basisLengthM[i]) {
-                m_basisLengthM[i] = lengthM;
-                m_basisChanged[i] = 1;
-            }
+            m_basisLengthM[i] = lengthM;
             basis[BasisQuantity::SegmentLength][i] = lengthM / static_cast<float>(nodeCount - 1);
             (void)batch.add(layRootOf(settings, roots, slot, chanceOf(roots.seed, roots.rankOfSlot[slot]),
                                       liftOf(settings, coil.radiusM, lengthM)),
@@ -284,33 +280,47 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
     });
 }
 
-void GroupBuilder::updateBraids(const GroupSettings& settings, SlotSet& dirty)
+void GroupBuilder::updateBraids(const GroomInput::Group& input, const GroupSettings& settings, const MapSamplers& maps,
+                                SlotSet& dirty)
 {
     const RootSet& roots = *m_roots;
-    std::vector<std::uint8_t> kindOfBasis(roots.basisSlot.size());
-    for (std::size_t i = 0; i < kindOfBasis.size(); ++i)
-        kindOfBasis[i] = m_gathering.numberOf(roots.basisSlot[i]) == 0 ? m_kinds[roots.basisSlot[i]] : std::uint8_t{0};
-    const bool sameLayout = kindOfBasis == m_kindOfBasis;
-    const auto moved = [&](std::uint32_t centre) { return m_basisChanged[centre] != 0; };
-    if (sameLayout && std::none_of(m_braids.centres().begin(), m_braids.centres().end(), moved))
+    const bool otherKinds = readBraided(settings.variation, maps, dirty);
+    const std::vector<Braid> before(m_braids.braids().begin(), m_braids.braids().end());
+    const BraidLayout::Inputs inputs{.roots = roots,
+                                     .braid = input.maps[MapSlot::Braid],
+                                     .density = input.maps[MapSlot::Density],
+                                     .kinds = m_braided,
+                                     .otherKinds = otherKinds,
+                                     .settings = settings,
+                                     .length = maps[MapSlot::Length],
+                                     .basisLengthM = m_basisLengthM};
+    if (!m_braids.update(inputs, dirty))
         return;
-    BraidLayout layout = sameLayout ? m_braids : BraidLayout(roots, kindOfBasis, settings.braidSpacingM);
-    if (m_groom) {
-        // Hairs elsewhere in the region whose centre is another, or has another length, follow it.
-        parallelFor(dirty.chunkCount(), 4, [&](std::size_t begin, std::size_t end) {
-            const std::size_t last = std::min(end * kChunkSlots, roots.count());
-            for (std::size_t i = begin * kChunkSlots; i < last; ++i) {
-                if (m_kinds[i] == 0)
-                    continue;
-                const auto slot = static_cast<std::uint32_t>(i);
-                const std::uint32_t centre = layout.centreOf(roots, slot, m_kinds[i]);
-                if (centre != m_braids.centreOf(roots, slot, m_kinds[i]) || (centre != kNoCentre && moved(centre)))
-                    dirty.insert(slot);
-            }
-        });
-    }
-    m_braids = std::move(layout);
-    m_kindOfBasis = std::move(kindOfBasis);
+    std::vector<float> girthM(roots.basisSlot.size(), 0.0F);
+    for (const Braid& braid : m_braids.braids())
+        girthM[braid.basis] = std::max(girthM[braid.basis], braidGirthM(braid.kind, braid.radiusM));
+    std::ranges::copy(girthM, writableBasis()[BasisQuantity::Girth].begin());
+}
+
+/// Which hairs are to be braided; true where that differs.
+bool GroupBuilder::readBraided(const VariationSettings& variation, const MapSamplers& maps, const SlotSet& dirty)
+{
+    const RootSet& roots = *m_roots;
+    std::atomic<bool> differs = false;
+    parallelFor(dirty.chunkCount(), 8, [&](std::size_t begin, std::size_t end) {
+        bool any = false;
+        for (std::size_t chunk = begin; chunk < end; ++chunk)
+            dirty.forEachInChunk(chunk, [&](std::uint32_t slot) {
+                const bool isBraided = m_kinds[slot] != 0 && m_gathering.numberOf(slot) == 0 &&
+                                       roots.threshold(slot) < hairDensity(variation, m_hairline, maps, roots, slot);
+                const std::uint8_t kind = isBraided ? m_kinds[slot] : std::uint8_t{0};
+                any |= kind != m_braided[slot];
+                m_braided[slot] = kind;
+            });
+        if (any)
+            differs = true;
+    });
+    return differs;
 }
 
 void GroupBuilder::updateClumped(const GroupSettings& settings, const MapSampler& clump, SlotSet& dirty) const
@@ -364,9 +374,8 @@ void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSampler
     for (std::size_t chunk = 0; chunk < dirty.hairs.chunkCount(); ++chunk)
         if (!dirty.hairs.chunkEmpty(chunk) || !dirty.look.chunkEmpty(chunk))
             stale.push_back(chunk);
-    const ChunkInputs inputs{settings,   *m_roots, maps,           lay,     m_newBasis ? *m_newBasis : *m_basis,
-                             m_braids,   m_kinds,  m_basisLengthM, m_locks, m_hairline,
-                             m_gathering};
+    const ChunkInputs inputs{settings, *m_roots, maps,    lay,        m_newBasis ? *m_newBasis : *m_basis,
+                             m_braids, m_kinds,  m_locks, m_hairline, m_gathering};
     const std::vector<std::shared_ptr<const StrandChunk>> before = groom.chunks;
     parallelFor(stale.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)

@@ -50,7 +50,9 @@ private:
                                       const MapSampler& length) const;
     void updateBasis(const GroupSettings& settings, const MapSamplers& maps, const LayInputs& lay,
                      const SlotSet& dirty);
-    void updateBraids(const GroupSettings& settings, SlotSet& dirty);
+    void updateBraids(const GroomInput::Group& input, const GroupSettings& settings, const MapSamplers& maps,
+                      SlotSet& dirty);
+    [[nodiscard]] bool readBraided(const VariationSettings& variation, const MapSamplers& maps, const SlotSet& dirty);
     /// Adds the hairs that clump to a basis hair that lies otherwise.
     void updateClumped(const GroupSettings& settings, const MapSampler& clump, SlotSet& dirty) const;
     /// The same where locks have leaders.
@@ -75,11 +77,10 @@ private:
     std::vector<float> m_basisLengthM;            ///< [basis hairs]
     PassedCells m_passed;                         ///< By the slots,
     PassedCells m_passedByBasis;                  ///< and by the basis hairs, as they were laid.
-    std::vector<std::uint8_t> m_basisChanged;     ///< [basis hairs]: those of another length, in this update.
     std::vector<std::uint8_t> m_basisRelaid;      ///< [basis hairs]: those that lie otherwise.
     std::vector<std::uint32_t> m_drawnDependents; ///< [basis hairs]: drawn hairs that follow each.
     std::vector<std::uint8_t> m_kinds;            ///< [slots], the braid map.
-    std::vector<std::uint8_t> m_kindOfBasis;      ///< [basis hairs]: what m_braids was made from.
+    std::vector<std::uint8_t> m_braided;          ///< [slots], the same of hairs that are braided: not of tied ones.
     BraidLayout m_braids;
     LockPartition m_locks;
     Hairline m_hairline;

@@ -121,7 +121,11 @@ struct GroupSettings
     float greatestCurlRadiusM = 0.012F; ///< A curl-size value of 1.
     float greatestFrizzM = 0.004F;      ///< 0..0.05: how far a hair strays, at most, where the frizz map is 1.
     float braidSpacingM = 0.30F;        ///< Distance of braid centres within one painted region.
-    float braidRadiusM = 0.014F;        ///< Radius r of equation 3.
+    float braidRadiusM = 0.014F;        ///< Radius r of equation 3; less where a braid has too few hairs to fill it.
+    float braidKnot = 1.0F;             ///< 0.5..3: length of a braid's turns, in that at which its wisps fit.
+    float braidTightness = 0.5F;        ///< 0..1: at 0 wisps are full and hairs leave them, at 1 they are drawn tight.
+    float braidTaper = 0.0F;            ///< 0..0.9: fraction by which a braid is thinner at its end.
+    float braidTie = 1.0F;              ///< 0..1: how far it is drawn together before its tuft.
     bool lengthAsCut = false;           ///< With Coils: the length map is the fibre's, which its curl shortens.
     CurlSettings curl;
     LockSettings locks;

@@ -134,28 +134,15 @@ private:
 /// the strand, z along the third.
 glm::vec3 braidedOffset(const StrandStyle& style, float q, float lengthM)
 {
-    const bool isTwist = style.braid == BraidKind::Twist;
-    const bool isLoc = style.braid == BraidKind::Loc;
-    const of_floats::BraidedHair hair{.isTwist = isTwist,
-                                      .isLoc = isLoc,
-                                      // Below: files keep their bytes.
-                                      .pathFraction = isTwist ? 1.0F : of_floats::braidPathFraction(isTwist, isLoc),
-                                      .radiusM = style.braidRadiusM,
-                                      .turns = style.braidTurns,
-                                      .wispX = style.wispOffset.x,
-                                      .wispY = style.wispOffset.y};
-    const of_floats::BraidGirth girth = of_floats::braidGirth(hair, q);
-    const float turnRad = glm::two_pi<float>() * style.braidTurns;
-    const float apart = isTwist ? glm::pi<float>() : glm::two_pi<float>() / 3.0F;
-    of_floats::WispPath path =
-        of_floats::wispPath(isTwist, turnRad * q + static_cast<float>(style.wispNumber()) * apart);
-    if (isTwist)
-        for (float* number : {&path.x, &path.z, &path.onwardX, &path.onwardZ})
-            *number *= kTwistFraction;
-    const glm::vec3 onward(path.onwardX * girth.pathM * turnRad, std::max(lengthM, 1e-6F),
-                           path.onwardZ * girth.pathM * turnRad);
-    const glm::vec3 along = of_floats::unitOf(onward, glm::dot(onward, onward));
-    return of_floats::braidedOffset(hair, girth, path, along, lengthM);
+    constexpr float kWhole = 255.0F;
+    return of_floats::braidedOffset({.radiusM = style.braidRadiusM,
+                                     .turns = style.braidTurns,
+                                     .wispX = style.wispOffset.x,
+                                     .wispY = style.wispOffset.y,
+                                     .chance = style.variation,
+                                     .taper = static_cast<float>(style.braidTaper) / kWhole,
+                                     .tied = static_cast<float>(style.braidTied) / kWhole},
+                                    static_cast<float>(style.braid), static_cast<float>(style.wispNumber()), q, lengthM);
 }
 
 } // namespace
@@ -181,9 +168,18 @@ glm::vec3 coilOffset(const StrandStyle& style, const CurlSettings& curl, float s
                                  s);
 }
 
+BraidLacing lacingOf(BraidKind kind)
+{
+    const of_floats::Lacing lacing = of_floats::lacingOf(static_cast<float>(kind));
+    return {.wisps = static_cast<int>(lacing.wisps),
+            .swings = lacing.swings,
+            .path = {lacing.pathX, lacing.pathZ},
+            .wisp = lacing.wisp};
+}
+
 glm::vec3 braidOffset(float t, float w)
 {
-    const of_floats::WispPath path = of_floats::wispPath(false, t + w);
+    const of_floats::WispPath path = of_floats::wispPath(of_floats::lacingOf(static_cast<float>(BraidKind::Plait)), t + w);
     return {path.x, 0.0F, path.z};
 }
 
@@ -198,10 +194,10 @@ int curveSegmentsOf(const StrandStyle& style, const CurlSettings* coils)
     float segments = 0.0F;
     if (style.curlRadiusM > 0.0F)
         segments = style.turns * kPointsPerTurn / std::max(1.0F - style.braidStart, 0.1F);
-    // A wisp swings twice across the braid while it swings once along its width.
+    // A wisp swings twice or more through the braid while it swings once along its width.
     if (style.braid != BraidKind::None)
-        segments =
-            std::max(segments, style.braidTurns * 2.0F * kPointsPerTurn / std::max(1.0F - style.braidStart, 0.1F));
+        segments = std::max(segments, style.braidTurns * std::max(lacingOf(style.braid).swings, 2.0F) * kPointsPerTurn /
+                                          std::max(1.0F - style.braidStart, 0.1F));
     if (style.frizzM > 0.0F)
         segments = std::max(segments, frizzOf(style).waveRad / glm::two_pi<float>() * kFrizzFiner * kPointsPerTurn);
     return static_cast<int>(std::ceil(std::clamp(segments, 0.0F, coils != nullptr ? kMostOfCoils : kMostSegments)));

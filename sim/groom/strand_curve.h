@@ -18,6 +18,16 @@ namespace hairpaint::sim {
 /// Equation 3 without its linear part, for wisp offset w: (cos(t + w), 0, sin(2(t + w))), in units of r.
 [[nodiscard]] glm::vec3 braidOffset(float t, float w);
 
+/// How the wisps of a kind of braid run, in units of r.
+struct BraidLacing
+{
+    int wisps = 1;
+    float swings = 2.0F;  ///< Through the braid's thickness, for one across its width.
+    glm::vec2 path{0.0F}; ///< How far from the middle: across its width, through its thickness.
+    float wisp = 1.0F;    ///< Radius of a wisp.
+};
+[[nodiscard]] BraidLacing lacingOf(BraidKind kind);
+
 /// How far a style's frizz strays at its tip, and its waves over the whole hair, rad.
 struct FrizzOfStyle
 {

@@ -74,7 +74,7 @@ RootChance chanceOf(std::uint64_t seed, std::uint32_t rank)
 WispChance wispChanceOf(std::uint64_t seed, std::uint32_t rank)
 {
     const std::uint64_t hash = hash64(seed ^ kChanceKey, std::uint64_t{rank} * 2 + 1);
-    return {.wisp = static_cast<std::uint32_t>(hash & 0xFFU) % 6, .wispOffset = pointInDisc(hash)};
+    return {.wisp = static_cast<std::uint32_t>(hash & 0xFFFFU) % 720, .wispOffset = pointInDisc(hash)};
 }
 
 LayRoot layRootOf(const GroupSettings& settings, const RootSet& roots, std::uint32_t slot, const RootChance& chance,

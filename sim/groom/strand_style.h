@@ -29,7 +29,7 @@ struct RootChance
 /// The same of a braided hair: where in its braid it is.
 struct WispChance
 {
-    std::uint32_t wisp = 0;     ///< 0..5: even over two wisps and over three
+    std::uint32_t wisp = 0;     ///< 0..719: even over up to six wisps, and over nine
     glm::vec2 wispOffset{0.0F}; ///< In the unit disc, uniform.
 };
 [[nodiscard]] WispChance wispChanceOf(std::uint64_t seed, std::uint32_t rank);

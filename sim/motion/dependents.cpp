@@ -24,9 +24,20 @@ constexpr float kLeastOfLength = 0.3F; ///< A basis hair that is shorter is a st
 
 constexpr float kLoner = 0.5F;          ///< Long hair that agrees less with any is none that lies so on purpose.
 constexpr float kHangingAloneM = 0.15F; ///< Shorter hair may well carry itself.
+constexpr float kSameLengthM = 1e-4F;   ///< A braid and the strand that it follows that differ by less do not.
 
 /// By what a basis hair's displacements are divided: its length, but what stubble does in contact with the skin would
 /// be zigzags on long hair beside it.
+/// On the curve through the nodes, as it is drawn: a chord would lie in what the strand bends around.
+glm::vec3 between(std::span<const glm::vec3> nodes, std::size_t segment, float t)
+{
+    const glm::vec3 b = nodes[segment];
+    const glm::vec3 c = nodes[segment + 1];
+    const glm::vec3 a = segment > 0 ? nodes[segment - 1] : b * 2.0F - c;
+    const glm::vec3 d = segment + 2 < nodes.size() ? nodes[segment + 2] : c * 2.0F - b;
+    return b + ((c - a) * 0.5F + (a - b * 2.5F + c * 2.0F - d * 0.5F + ((d - a) * 0.5F + (b - c) * 1.5F) * t) * t) * t;
+}
+
 float scaleOf(float basisLengthM)
 {
     constexpr float kStubbleM = 0.03F;
@@ -394,15 +405,24 @@ void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const Rigi
         const int gathered = std::clamp(
             static_cast<int>(std::floor(chunk.styles->styles[slot].braidStart * static_cast<float>(last) + 0.5F)), 0,
             last);
+        // It stands beside the root of the strand that it follows, if that is borrowed, and above it.
+        constexpr float kRisesOver = 2.0F; // Segments of the strand.
+        const auto begin = static_cast<std::size_t>(gathered);
+        const glm::vec3 beside = rest[begin] - centre[0];
+        const glm::vec3 normal = groom.roots->normalHd[groom.roots->basisSlot[basisIndex]];
+        const glm::vec3 above = normal * glm::dot(beside, normal);
+        const float restM = glm::length(rest[static_cast<std::size_t>(last)] - rest[begin]);
+        const float longer = std::abs(restM - length) < kSameLengthM ? 1.0F : restM / length;
         float* at = out + groom.blocks().index(slot, 0);
         for (int i = 0; i <= last; ++i, at += StrandBlocks::kNodeStride) {
             glm::vec3 p = rest[static_cast<std::size_t>(i)];
             if (i > gathered) {
                 const float along = static_cast<float>((i - gathered) * last) / static_cast<float>(last - gathered);
                 const auto segment = static_cast<std::size_t>(std::min(static_cast<int>(along), last - 1));
-                const glm::vec3 a = centre[segment];
-                const glm::vec3 b = centre[segment + 1];
-                p = a + (b - a) * (along - static_cast<float>(segment));
+                p = between(std::span(centre).first(nodes), segment, along - static_cast<float>(segment));
+                if (longer != 1.0F)
+                    p = centre[0] + (p - centre[0]) * longer;
+                p += beside - above * std::min(along / kRisesOver, 1.0F);
             }
             StrandBlocks::store(at, world.identity ? p : inWorld(world, p));
         }

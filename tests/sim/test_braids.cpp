@@ -51,8 +51,15 @@ private Q_SLOTS:
     void wispsAndTheirRootsAreSpreadEvenly();
     void paintingElsewhereLeavesABraidAlone();
     void theLengthAtTheCentreIsTheBraids();
-    void aTinyDabBetweenBasisHairsIsNoBraid();
-    void aCrowdOfBasisHairsIsComparedWithFewOthersEach();
+    void aTinyDabBetweenBasisHairsIsABraid();
+    void patchesNeverMergeAcrossUnpaintedSkin_data();
+    void patchesNeverMergeAcrossUnpaintedSkin();
+    void bareSkinPartsAPatch();
+    void aPatchIsOneAcrossASeam();
+    void aFilledMapBraidsEveryHairAndNoneBeginsOnBareSkin_data();
+    void aFilledMapBraidsEveryHairAndNoneBeginsOnBareSkin();
+    void aBraidOfFewHairsIsThin();
+    void anotherDensityThatKeepsThePatchKeepsItsRoots();
 };
 
 void TestBraids::withoutBraidsNoHairIsBraided()
@@ -134,9 +141,9 @@ void TestBraids::allHairsOfABraidShareItsSkeleton()
     for (const auto& [centre, slots] : braids) {
         const std::uint32_t centreSlot = groom->roots->basisSlot[centre];
         const float centreLengthM = (*groom->basis)[BasisQuantity::SegmentLength][centre] * 7.0F;
-        const float aboveM = braidBeginsAboveM(input.groups[0].settings, BraidKind::Plait, centreLengthM);
         for (const std::uint32_t slot : slots) {
             const StrandStyle& style = groom->style(slot);
+            const float aboveM = braidBeginsAboveM(BraidKind::Plait, style.braidRadiusM);
             const int gathered = static_cast<int>(std::lround(style.braidStart * 7.0F));
             QVERIFY(gathered >= 1 && gathered < 6);
             QVERIFY(restNode(*groom, slot, 0) == groom->roots->positionHd[slot]);
@@ -182,14 +189,14 @@ void TestBraids::wispsAndTheirRootsAreSpreadEvenly()
         QCOMPARE(style.braid, BraidKind::Plait);
         ++wisps[style.wisp];
         const glm::vec2 offset = style.wispOffset;
-        QVERIFY(glm::length(offset) <= 1.0F);
+        QVERIFY(glm::length(offset) <= 1.01F);
         mean += offset / 20000.0F;
         meanSquare += glm::dot(offset, offset) / 20000.0F;
     }
     for (const int count : wisps)
         QVERIFY(std::abs(count - 6667) < 300);
     QVERIFY(glm::length(mean) < 0.03F);
-    QVERIFY(std::abs(meanSquare - 0.5F) < 0.02F); // Of a disc filled evenly.
+    QVERIFY(std::abs(meanSquare - 0.48F) < 0.04F); // Of a disc filled about evenly: wisps are made of strands.
 }
 
 void TestBraids::paintingElsewhereLeavesABraidAlone()
@@ -226,7 +233,7 @@ void TestBraids::theLengthAtTheCentreIsTheBraids()
     }
 }
 
-void TestBraids::aTinyDabBetweenBasisHairsIsNoBraid()
+void TestBraids::aTinyDabBetweenBasisHairsIsABraid()
 {
     GroomInput input = braidInput(patch());
     const auto roots = GroomBuilder().update(input).grooms[0]->roots;
@@ -241,30 +248,138 @@ void TestBraids::aTinyDabBetweenBasisHairsIsNoBraid()
         }
     }
     auto& maps = input.groups[0].maps;
-    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], roots->uv[furthest], distance - 2.0F / 512.0F, {1});
+    const float radius = distance - 2.0F / 512.0F;
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], roots->uv[furthest], radius, {1});
     const auto groom = GroomBuilder().update(input).grooms[0];
-    QVERIFY(hairsByCentre(*groom).empty());
+    const auto braids = hairsByCentre(*groom);
+    QCOMPARE(braids.size(), std::size_t{1});
     QCOMPARE(groom->hairCount, std::size_t{20000});
+    // It follows a solved hair beside it, and stands on one of its own.
+    const std::uint32_t slot = braids.begin()->second.front();
+    const int gathered = static_cast<int>(std::lround(groom->style(slot).braidStart * 7.0F));
+    const glm::vec3 stands = restNode(*groom, slot, gathered);
+    QVERIFY(glm::length(glm::vec2(stands) - glm::vec2(roots->positionHd[furthest])) <= radius * 0.2F);
 }
 
-void TestBraids::aCrowdOfBasisHairsIsComparedWithFewOthersEach()
+void TestBraids::patchesNeverMergeAcrossUnpaintedSkin_data()
 {
-    // A patch folded into thousands of layers: all its basis hairs within reach of each other, and as many elsewhere.
-    constexpr std::uint32_t kCrowd = 20000;
-    RootSet roots;
-    roots.skin = patch();
-    for (std::uint32_t i = 0; i < 2 * kCrowd; ++i) {
-        const float x = static_cast<float>(i % kCrowd) * (1e-4F / static_cast<float>(kCrowd));
-        roots.positionHd.emplace_back(x, i < kCrowd ? 0.0F : 0.1F, 0.0F);
-        roots.normalHd.emplace_back(0.0F, 0.0F, 1.0F);
-        roots.rankOfSlot.push_back(i);
-        roots.slotOfRank.push_back(i);
-        roots.basisSlot.push_back(i);
-        roots.neighbours.push_back({i, i, i});
+    QTest::addColumn<int>("gapTx"); // A texel is 0.4 mm; solved hairs stand 6 mm apart.
+    QTest::newRow("one texel") << 1;
+    QTest::newRow("2 mm") << 5;
+    QTest::newRow("8 mm") << 20;
+}
+
+void TestBraids::patchesNeverMergeAcrossUnpaintedSkin()
+{
+    QFETCH(int, gapTx);
+    constexpr int kWideTx = 24;
+    GroomInput input = braidInput(patch());
+    auto painted = std::make_shared<TiledRaster>(512, 1);
+    for (int strip = 0; strip < 5; ++strip)
+        for (int x = 0; x < kWideTx; ++x)
+            for (int y = 100; y < 400; ++y)
+                painted->setTexel(100 + strip * (kWideTx + gapTx) + x, y, {1});
+    input.groups[0].maps[MapSlot::Braid] = painted;
+    const auto groom = GroomBuilder().update(input).grooms[0];
+    const auto braids = hairsByCentre(*groom);
+    QCOMPARE(braids.size(), std::size_t{5});
+    for (const auto& [centre, slots] : braids) {
+        const auto stripOf = [&](std::uint32_t slot) {
+            return (static_cast<int>(groom->roots->uv[slot].x * 512.0F) - 100) / (kWideTx + gapTx);
+        };
+        for (const std::uint32_t slot : slots)
+            QCOMPARE(stripOf(slot), stripOf(slots.front()));
     }
-    const BraidLayout layout(roots, std::vector<std::uint8_t>(2 * kCrowd, 1), 0.05F);
-    QCOMPARE(layout.centres().size(), std::size_t{2});
-    QVERIFY2(layout.compared() < std::size_t{200} * kCrowd, qPrintable(QString::number(layout.compared())));
+}
+
+void TestBraids::bareSkinPartsAPatch()
+{
+    GroomInput input = braidInput(patch());
+    auto& maps = input.groups[0].maps;
+    maps[MapSlot::Braid] = indexMap(1);
+    auto density = std::make_shared<TiledRaster>(512, 1, Texel{65535});
+    for (int y = 0; y < 512; ++y)
+        for (int x = 254; x < 258; ++x)
+            density->setTexel(x, y, {0});
+    maps[MapSlot::Density] = density;
+    const auto braids = hairsByCentre(*GroomBuilder().update(input).grooms[0]);
+    QCOMPARE(braids.size(), std::size_t{2});
+}
+
+void TestBraids::aPatchIsOneAcrossASeam()
+{
+    GroomInput input = braidInput(std::make_shared<const Skin>(makeBallHead(48)));
+    input.groups[0].settings.greatestDensityPerM2 = 1e5F;
+    auto& maps = input.groups[0].maps;
+    maps[MapSlot::Braid] = withDab(withDab(maps[MapSlot::Braid], {0.0F, 0.5F}, 0.08F, {1}), {1.0F, 0.5F}, 0.08F, {1});
+    QCOMPARE(hairsByCentre(*GroomBuilder().update(input).grooms[0]).size(), std::size_t{1});
+}
+
+void TestBraids::aFilledMapBraidsEveryHairAndNoneBeginsOnBareSkin_data()
+{
+    QTest::addColumn<float>("spacingM");
+    QTest::newRow("one braid") << 0.3F;
+    QTest::newRow("box braids") << 0.02F;
+    QTest::newRow("closer than solved hairs") << 0.006F;
+}
+
+void TestBraids::aFilledMapBraidsEveryHairAndNoneBeginsOnBareSkin()
+{
+    QFETCH(float, spacingM);
+    GroomInput input = braidInput(std::make_shared<const Skin>(makeBallHead(48)));
+    input.groups[0].settings.greatestDensityPerM2 = 2e5F;
+    input.groups[0].settings.braidSpacingM = spacingM;
+    auto& maps = input.groups[0].maps;
+    maps[MapSlot::Braid] = indexMap(1);
+    maps[MapSlot::Density] = withDab(uniformMap(0.8F), {0.5F, 0.5F}, 0.12F, {0});
+    const auto groom = GroomBuilder().update(input).grooms[0];
+    std::size_t loose = 0;
+    std::size_t astray = 0;
+    const RootSet& roots = *groom->roots;
+    forEachHair(*groom, [&](std::uint32_t slot, const StrandStyle& style) {
+        loose += style.braid == BraidKind::None ? 1U : 0U;
+        if (style.braid == BraidKind::None)
+            return;
+        // Where its braid stands, on the skin.
+        const int gathered = static_cast<int>(std::lround(style.braidStart * 7.0F));
+        const SurfacePoint stands = roots.skin->nearest(restNode(*groom, slot, gathered));
+        astray += maps[MapSlot::Density]->sampleScalar(stands.uv) > 0.0F ? 0U : 1U;
+    });
+    QVERIFY2(loose * 1000 <= groom->hairCount, qPrintable(QString::number(loose)));
+    QCOMPARE(astray, std::size_t{0});
+}
+
+void TestBraids::aBraidOfFewHairsIsThin()
+{
+    GroomInput input = braidInput(patch());
+    auto& maps = input.groups[0].maps;
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], {0.5F, 0.5F}, 0.05F, {1});
+    const auto groom = GroomBuilder().update(input).grooms[0];
+    const auto braids = hairsByCentre(*groom);
+    QCOMPARE(braids.size(), std::size_t{1});
+    const std::vector<std::uint32_t>& slots = braids.begin()->second;
+    const float radiusM = groom->style(slots.front()).braidRadiusM;
+    // Seen across a wisp lie about two hairs' widths of hair.
+    const auto wisp = static_cast<float>(slots.size()) / 3.0F;
+    const float across = wisp * input.groups[0].settings.material.widthM * 2.0F /
+                         (3.14159F * radiusM * kWispRadiusFraction);
+    QVERIFY2(radiusM < 0.005F, qPrintable(QString::number(radiusM)));
+    QVERIFY2(across > 1.5F && across < 3.0F, qPrintable(QString::number(across)));
+}
+
+void TestBraids::anotherDensityThatKeepsThePatchKeepsItsRoots()
+{
+    GroomInput input = braidInput(patch());
+    auto& maps = input.groups[0].maps;
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], {0.3F, 0.5F}, 0.2F, {1});
+    GroomBuilder builder;
+    const auto before = builder.update(input).grooms[0];
+    maps[MapSlot::Density] = withDab(maps[MapSlot::Density], {0.8F, 0.5F}, 0.1F, {20000});
+    builder.setCollectSlots(true);
+    const auto report = builder.update(input);
+    for (const std::uint32_t slot : report.rebuiltSlots)
+        QVERIFY(report.grooms[0]->style(slot).braid == BraidKind::None);
+    QCOMPARE(hairsByCentre(*before), hairsByCentre(*report.grooms[0]));
 }
 
 HAIRPAINT_TEST(TestBraids, None)

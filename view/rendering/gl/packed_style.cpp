@@ -31,7 +31,8 @@ PackedStyle packed(const sim::StrandStyle& style, glm::vec3 rootTangentHd)
             .rootColour = style.rootColour,
             .tipColour = style.tipColour,
             .width = style.width,
-            .braid = static_cast<std::uint32_t>(style.braid) | (std::uint32_t{style.wisp} << 8U),
+            .braid = static_cast<std::uint32_t>(style.braid) | (std::uint32_t{style.wisp} << 8U) |
+                     (std::uint32_t{style.braidTaper} << 16U) | (std::uint32_t{style.braidTied} << 24U),
             .braidRadiusM = style.braidRadiusM,
             .braidStart = style.braidStart,
             .braidTurns = style.braidTurns,

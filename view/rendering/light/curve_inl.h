@@ -56,24 +56,14 @@ HWY_INLINE Vec3 reflectedIn(const Vec3& v, const Vec3& axis, Lanes squared)
 /// At fraction q of a braid of `lengthM`: along the frame's first axis, the strand, and the third.
 HWY_INLINE Triple<Lanes> braidedOffset(const StrandBlock& block, std::size_t lane, Lanes q, Lanes lengthM)
 {
-    const Lanes kind = loaded(block.braid.data() + lane);
-    const Yes isLoc = kind > Lanes(2.5F);
-    const Yes isTwist = (kind > Lanes(1.5F)) & (kind < Lanes(2.5F));
-    const of_lanes::BraidedHair hair{.isTwist = isTwist,
-                                     .isLoc = isLoc,
-                                     .pathFraction = of_lanes::braidPathFraction(isTwist, isLoc),
-                                     .radiusM = loaded(block.braidRadiusM.data() + lane),
-                                     .turns = loaded(block.braidTurns.data() + lane),
-                                     .wispX = loaded(block.wispX.data() + lane),
-                                     .wispY = loaded(block.wispY.data() + lane)};
-    const of_lanes::BraidGirth girth = of_lanes::braidGirth(hair, q);
-    const Lanes wisp = loaded(block.wisp.data() + lane);
-    const Lanes angle = (hair.turns * q + wisp * select(isTwist, Lanes(0.5F), Lanes(1.0F / 3.0F))) * Lanes(kTwoPi);
-    const of_lanes::WispPath path = of_lanes::wispPath(isTwist, angle);
-    const Lanes perFraction = girth.pathM * hair.turns * Lanes(kTwoPi);
-    const Triple<Lanes> along =
-        unit(Triple<Lanes>{path.onwardX * perFraction, most(lengthM, Lanes(1e-6F)), path.onwardZ * perFraction});
-    return of_lanes::braidedOffset(hair, girth, path, along, lengthM);
+    return of_lanes::braidedOffset({.radiusM = loaded(block.braidRadiusM.data() + lane),
+                                    .turns = loaded(block.braidTurns.data() + lane),
+                                    .wispX = loaded(block.wispX.data() + lane),
+                                    .wispY = loaded(block.wispY.data() + lane),
+                                    .chance = loaded(block.variation.data() + lane),
+                                    .taper = loaded(block.braidTaper.data() + lane),
+                                    .tied = loaded(block.braidTied.data() + lane)},
+                                   loaded(block.braid.data() + lane), loaded(block.wisp.data() + lane), q, lengthM);
 }
 
 /// At fraction s of the hairs, m: along the frame's first axis and the second.

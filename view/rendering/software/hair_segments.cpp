@@ -43,6 +43,8 @@ void setStyle(StrandBlock& block, std::size_t lane, const sim::StrandStyle& styl
     block.braidRadiusM[lane] = style.braidRadiusM;
     block.braidStart[lane] = style.braidStart;
     block.braidTurns[lane] = style.braidTurns;
+    block.braidTaper[lane] = static_cast<float>(style.braidTaper) / 255.0F;
+    block.braidTied[lane] = static_cast<float>(style.braidTied) / 255.0F;
     block.wispX[lane] = style.wispOffset.x;
     block.wispY[lane] = style.wispOffset.y;
     const sim::FrizzOfStyle frizz = sim::frizzOf(style);

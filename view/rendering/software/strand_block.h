@@ -46,6 +46,8 @@ struct alignas(64) StrandBlock
     LaneRow braidRadiusM;
     LaneRow braidStart;
     LaneRow braidTurns;
+    LaneRow braidTaper; ///< 0..1
+    LaneRow braidTied;  ///< 0..1
     LaneRow wispX;
     LaneRow wispY;
     LaneRow frizzM;

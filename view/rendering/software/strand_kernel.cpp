@@ -95,7 +95,10 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
             const Lanes behindStart = most(Lanes(1.0F) - loaded(block.braidStart.data() + lane), Lanes(0.1F));
             wanted = select(curlR > Lanes(0.0F), wanted / behindStart, Lanes(0.0F));
             const Lanes braid = root(loaded(block.braidRadiusM.data() + lane) * scale);
-            const Lanes plaited = loaded(block.braidTurns.data() + lane) *
+            // Flat plaits swing more often.
+            const Lanes kind = loaded(block.braid.data() + lane);
+            const Lanes swings = select((kind > Lanes(3.5F)) & (kind < Lanes(5.5F)), Lanes(2.0F), Lanes(1.0F));
+            const Lanes plaited = loaded(block.braidTurns.data() + lane) * swings *
                                   most(braid * Lanes(2.0F * 3.1416F), Lanes(16.0F)) / behindStart;
             if (block.anyFrizz) // What strays by less than a sample needs few.
                 wanted =

@@ -10,13 +10,13 @@
 #include <span>
 #include <vector>
 
-namespace hairpaint::model {
+namespace hairpaint::sim {
 
 /// Of one skin and one size of map. Tiles are found when they are first asked for: one thread at a time.
 class SkinIslands
 {
 public:
-    using Tile = std::array<std::uint16_t, sim::kTileTexels>;
+    using Tile = std::array<std::uint16_t, kTileTexels>;
     /// A texel on one side of a seam and one that touches it on the other.
     struct Link
     {
@@ -25,9 +25,9 @@ public:
         friend auto operator<=>(const Link&, const Link&) = default; // NOLINT(modernize-use-nullptr)
     };
 
-    SkinIslands(std::shared_ptr<const sim::Skin> skin, int size);
+    SkinIslands(std::shared_ptr<const Skin> skin, int size);
 
-    [[nodiscard]] const std::shared_ptr<const sim::Skin>& skin() const { return m_skin; }
+    [[nodiscard]] const std::shared_ptr<const Skin>& skin() const { return m_skin; }
     [[nodiscard]] int size() const { return m_size; }
     /// The island that touches each texel, from 1 on; 0: none.
     [[nodiscard]] const Tile& tile(int index) const;
@@ -40,7 +40,7 @@ private:
     void findLinks();
     void addLinks(glm::uvec2 edgeA, std::uint32_t faceA, glm::uvec2 edgeB, std::uint32_t faceB);
 
-    std::shared_ptr<const sim::Skin> m_skin;
+    std::shared_ptr<const Skin> m_skin;
     int m_size;
     int m_tilesAcross;
     std::vector<std::uint16_t> m_islandOfVertex;
@@ -49,4 +49,4 @@ private:
     mutable std::vector<std::unique_ptr<const Tile>> m_tiles;
 };
 
-} // namespace hairpaint::model
+} // namespace hairpaint::sim

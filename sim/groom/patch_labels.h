@@ -1,8 +1,8 @@
 // The connected patches of an index map on the skin.
 #pragma once
 
-#include "model/patches/skin_islands.h"
 #include "sim/groom/map_slot.h"
+#include "sim/skin/skin_islands.h"
 
 #include <memory>
 #include <optional>
@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
-namespace hairpaint::model {
+namespace hairpaint::sim {
 
 /// The parts of patches in one tile.
 struct PatchTile
 {
-    sim::RasterTilePtr source;
+    RasterTilePtr source;
     std::vector<std::uint16_t> kinds;  ///< Of each part: the map's value.
     std::vector<std::uint32_t> counts; ///< Of each part: its texels.
     std::vector<std::uint16_t> parts;  ///< [64 * 64] a part from 1 on, 0 none; empty where there is none.
@@ -34,7 +34,7 @@ class PatchLabels
 {
 public:
     /// Brings it to the map; an other `islands` begins anew.
-    void update(const sim::MapRaster& map, const std::shared_ptr<const SkinIslands>& islands);
+    void update(const MapRaster& map, const std::shared_ptr<const SkinIslands>& islands);
 
     [[nodiscard]] std::span<const Patch> patches() const { return m_patches; } ///< By their first parts.
     [[nodiscard]] const PatchTile& tile(int index) const { return *m_tiles[static_cast<std::size_t>(index)]; }
@@ -53,11 +53,11 @@ public:
     [[nodiscard]] const std::shared_ptr<const SkinIslands>& islands() const { return m_islands; }
 
 private:
-    [[nodiscard]] std::shared_ptr<const PatchTile> labelled(int index, const sim::RasterTilePtr& source) const;
+    [[nodiscard]] std::shared_ptr<const PatchTile> labelled(int index, const RasterTilePtr& source) const;
     void joinParts();
 
     std::shared_ptr<const SkinIslands> m_islands;
-    sim::MapRaster m_map;
+    MapRaster m_map;
     std::vector<std::shared_ptr<const PatchTile>> m_tiles;
     std::vector<std::uint32_t> m_firstPart; ///< Of each tile.
     std::vector<std::size_t> m_patchOfPart;
@@ -70,4 +70,4 @@ private:
 [[nodiscard]] std::uint32_t texelsInBoth(const PatchLabels& a, std::size_t patchA, const PatchLabels& b,
                                          std::size_t patchB);
 
-} // namespace hairpaint::model
+} // namespace hairpaint::sim

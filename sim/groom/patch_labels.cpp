@@ -1,15 +1,15 @@
 // Parts of tiles found by flooding, and joined over the tiles' borders and over seams.
-#include "model/patches/patch_labels.h"
+#include "sim/groom/patch_labels.h"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
 
-namespace hairpaint::model {
+namespace hairpaint::sim {
 
 namespace {
 
-constexpr int kEdge = sim::TiledRaster::kTileSize;
+constexpr int kEdge = TiledRaster::kTileSize;
 
 const std::shared_ptr<const PatchTile>& bareTile()
 {
@@ -44,7 +44,7 @@ private:
 
 } // namespace
 
-std::shared_ptr<const PatchTile> PatchLabels::labelled(int index, const sim::RasterTilePtr& source) const
+std::shared_ptr<const PatchTile> PatchLabels::labelled(int index, const RasterTilePtr& source) const
 {
     if (source->isUniform() && source->uniform[0] == 0)
         return bareTile();
@@ -56,9 +56,9 @@ std::shared_ptr<const PatchTile> PatchLabels::labelled(int index, const sim::Ras
     };
     auto made = std::make_shared<PatchTile>();
     made->source = source;
-    made->parts.assign(sim::kTileTexels, 0);
+    made->parts.assign(kTileTexels, 0);
     std::vector<int> pending;
-    for (std::size_t first = 0; first < sim::kTileTexels; ++first) {
+    for (std::size_t first = 0; first < kTileTexels; ++first) {
         const std::uint16_t kind = value(first);
         if (kind == 0 || made->parts[first] != 0)
             continue;
@@ -93,7 +93,7 @@ std::shared_ptr<const PatchTile> PatchLabels::labelled(int index, const sim::Ras
     return made->kinds.empty() ? bareTile() : made;
 }
 
-void PatchLabels::update(const sim::MapRaster& map, const std::shared_ptr<const SkinIslands>& islands)
+void PatchLabels::update(const MapRaster& map, const std::shared_ptr<const SkinIslands>& islands)
 {
     if (m_map == map && m_islands == islands)
         return;
@@ -210,7 +210,7 @@ std::uint32_t texelsInBoth(const PatchLabels& a, std::size_t patchA, const Patch
             }
             const std::vector<std::uint16_t>& ofA = a.tile(index).parts;
             const std::vector<std::uint16_t>& ofB = b.tile(index).parts;
-            for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel)
+            for (std::size_t texel = 0; texel < kTileTexels; ++texel)
                 count += ofA[texel] == partA && ofB[texel] == partB ? 1U : 0U;
         }
     return count;
@@ -224,4 +224,4 @@ bool samePatch(const PatchLabels& a, std::size_t patchA, const PatchLabels& b, s
            texelsInBoth(a, patchA, b, patchB) == one.texels;
 }
 
-} // namespace hairpaint::model
+} // namespace hairpaint::sim

@@ -1,5 +1,5 @@
 // Faces that share vertices are an island; edges that two islands, or two sides of one, have in common are its seams.
-#include "model/patches/skin_islands.h"
+#include "sim/skin/skin_islands.h"
 
 #include "sim/skin/vertex_weld.h"
 
@@ -9,11 +9,11 @@
 #include <numeric>
 #include <utility>
 
-namespace hairpaint::model {
+namespace hairpaint::sim {
 
 namespace {
 
-constexpr int kSide = sim::TiledRaster::kTileSize;
+constexpr int kSide = TiledRaster::kTileSize;
 constexpr float kSameUv = 1e-6F;
 constexpr float kTouchTx = 0.75F; ///< A texel belongs to what comes as near to its centre.
 
@@ -43,7 +43,7 @@ bool touches(const std::array<glm::vec2, 3>& face, glm::vec2 p)
 
 } // namespace
 
-SkinIslands::SkinIslands(std::shared_ptr<const sim::Skin> skin, int size)
+SkinIslands::SkinIslands(std::shared_ptr<const Skin> skin, int size)
     : m_skin(std::move(skin)), m_size(size), m_tilesAcross(size / kSide),
       m_facesOfTile(static_cast<std::size_t>(m_tilesAcross) * static_cast<std::size_t>(m_tilesAcross)),
       m_tiles(m_facesOfTile.size())
@@ -61,7 +61,7 @@ glm::vec2 SkinIslands::texelOf(std::uint32_t vertex) const
 
 void SkinIslands::findIslands()
 {
-    const sim::HeadMesh& mesh = m_skin->mesh();
+    const HeadMesh& mesh = m_skin->mesh();
     std::vector<unsigned> parent(mesh.positionsHd.size());
     std::iota(parent.begin(), parent.end(), 0U);
     const auto join = [&](unsigned a, unsigned b) { parent[rootOf(parent, a)] = rootOf(parent, b); };
@@ -70,7 +70,7 @@ void SkinIslands::findIslands()
         join(face.y, face.z);
     }
     // Vertices that are two only for the sake of their normals are no seam.
-    const std::vector<unsigned> welded = sim::weldedVertices(mesh);
+    const std::vector<unsigned> welded = weldedVertices(mesh);
     for (unsigned vertex = 0; vertex < welded.size(); ++vertex)
         if (glm::distance(mesh.uvs[vertex], mesh.uvs[welded[vertex]]) < kSameUv)
             join(vertex, welded[vertex]);
@@ -84,7 +84,7 @@ void SkinIslands::findIslands()
 
 void SkinIslands::sortFaces()
 {
-    const sim::HeadMesh& mesh = m_skin->mesh();
+    const HeadMesh& mesh = m_skin->mesh();
     for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {
         const glm::uvec3& corners = mesh.triangles[face];
         const glm::vec2 a = texelOf(corners.x);
@@ -137,8 +137,8 @@ const SkinIslands::Tile& SkinIslands::tile(int index) const
 
 void SkinIslands::findLinks()
 {
-    const sim::HeadMesh& mesh = m_skin->mesh();
-    const std::vector<unsigned> welded = sim::weldedVertices(mesh);
+    const HeadMesh& mesh = m_skin->mesh();
+    const std::vector<unsigned> welded = weldedVertices(mesh);
     using Side = std::pair<std::uint32_t, glm::uvec2>; // A face, and the edge's vertices in the order of the key.
     std::map<std::pair<unsigned, unsigned>, std::vector<Side>> sides;
     for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face)
@@ -187,4 +187,4 @@ void SkinIslands::addLinks(glm::uvec2 edgeA, std::uint32_t faceA, glm::uvec2 edg
     }
 }
 
-} // namespace hairpaint::model
+} // namespace hairpaint::sim

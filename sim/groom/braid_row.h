@@ -1,0 +1,31 @@
+// The course of a cornrow: along the middle of a painted strip, over the skin.
+#pragma once
+
+#include "sim/groom/roots.h"
+
+#include <span>
+#include <vector>
+
+namespace hairpaint::sim {
+
+/// Begins at the end that is higher, or of two as high the one further in front, and ends where its braid leaves the
+/// skin. Hd, m.
+struct BraidRow
+{
+    std::vector<glm::vec3> pointsHd;  ///< On the skin, evenly from its begin to its end,
+    std::vector<glm::vec3> normalsHd; ///< and unit normals there. Two or more.
+    float lengthM = 0.0F;
+    glm::vec3 sideHd{1.0F, 0.0F, 0.0F}; ///< Unit: across it along the skin, in the mean.
+    friend bool operator==(const BraidRow&, const BraidRow&) = default;
+};
+
+/// Through those roots, which lie evenly on a strip: by their distances over the skin from one of its ends.
+[[nodiscard]] BraidRow rowAlong(const RootSet& roots, std::span<const std::uint32_t> slots);
+
+/// How far along a row its nearest point to there is, m.
+[[nodiscard]] float alongRowM(const BraidRow& row, glm::vec3 positionHd);
+
+/// A point over the skin so far along it; beyond its end straight on.
+[[nodiscard]] glm::vec3 onRow(const BraidRow& row, float alongM, float aboveM);
+
+} // namespace hairpaint::sim
