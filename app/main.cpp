@@ -1,5 +1,6 @@
 // Hair Paint: with a verb it works without a window, else it opens the editor.
 #include "app/cli/command.h"
+#include "app/cli/console.h"
 #include "app/cli/terminal.h"
 #include "app/cli/version.h"
 #include "app/recovery/termination.h"
@@ -83,6 +84,7 @@ void keepLibrariesQuiet(QtMsgType type, const QMessageLogContext& context, const
 
 int runCommandLine(int argc, char** argv)
 {
+    hairpaint::app::joinConsole();
     const bool known = std::all_of(argv + 1, argv + argc, isUtf8);
     qInstallMessageHandler(keepLibrariesQuiet);
     const QCoreApplication application(argc, argv);

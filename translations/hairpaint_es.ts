@@ -1317,6 +1317,14 @@
         <translation>es un socket, y ningún archivo puede ocupar su lugar; elige otro nombre</translation>
     </message>
     <message>
+        <source>Windows takes no file name with one of &lt; &gt; : &quot; / \ | ? *; choose another name</source>
+        <translation>Windows no admite nombres de archivo con uno de &lt; &gt; : &quot; / \ | ? *; elige otro nombre</translation>
+    </message>
+    <message>
+        <source>Windows takes no file name that ends with a full stop or a space; choose another name</source>
+        <translation>Windows no admite nombres de archivo que acaben en punto o espacio; elige otro nombre</translation>
+    </message>
+    <message>
         <source>it is a link to a name that is not UTF-8; choose another name</source>
         <translation>es un enlace a un nombre que no es UTF-8; elige otro nombre</translation>
     </message>

@@ -2,8 +2,10 @@
 #include "app/background/thread_time.h"
 
 #if defined(_WIN32)
-#define NOMINMAX
 #include <windows.h>
+#ifdef __MINGW32__
+#include <pthread.h>
+#endif
 #elif defined(__linux__)
 #include <ctime>
 #include <pthread.h>
@@ -13,6 +15,19 @@ namespace hairpaint::app {
 
 #if defined(_WIN32)
 
+namespace {
+
+HANDLE handleOf(std::thread& thread)
+{
+#ifdef __MINGW32__
+    return static_cast<HANDLE>(pthread_gethandle(thread.native_handle())); // GCC's threads there are winpthreads'.
+#else
+    return static_cast<HANDLE>(thread.native_handle());
+#endif
+}
+
+} // namespace
+
 double processorMs(std::thread& thread)
 {
     constexpr double kUnitsPerMs = 10'000.0;
@@ -20,7 +35,7 @@ double processorMs(std::thread& thread)
     FILETIME ended{};
     FILETIME kernel{};
     FILETIME user{};
-    if (!GetThreadTimes(static_cast<HANDLE>(thread.native_handle()), &created, &ended, &kernel, &user))
+    if (!GetThreadTimes(handleOf(thread), &created, &ended, &kernel, &user))
         return 0.0;
     const auto units = [](const FILETIME& time) {
         return static_cast<double>(time.dwHighDateTime) * 4294967296.0 + static_cast<double>(time.dwLowDateTime);

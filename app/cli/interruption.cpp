@@ -3,12 +3,11 @@
 
 #include <QtGlobal>
 
-#include <atomic>
-
 #ifdef Q_OS_UNIX
+
 #include <array>
+#include <atomic>
 #include <csignal>
-#endif
 
 namespace hairpaint::app {
 
@@ -17,12 +16,6 @@ namespace {
 /// A handler can reach nothing else. 0 where none came.
 std::atomic<int> signalThatCame{0};
 static_assert(std::atomic<int>::is_always_lock_free);
-
-} // namespace
-
-#ifdef Q_OS_UNIX
-
-namespace {
 
 constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
 
@@ -59,16 +52,11 @@ Interruption::~Interruption()
         std::raise(signalThatCame);
 }
 
-#else
-
-Interruption::Interruption() = default;
-Interruption::~Interruption() = default;
-
-#endif
-
 model::Progress Interruption::progress()
 {
     return [](double) { return signalThatCame == 0; };
 }
 
 } // namespace hairpaint::app
+
+#endif

@@ -7,7 +7,8 @@ namespace hairpaint::app {
 
 /// While it lives, SIGINT, SIGTERM and SIGHUP stop the work that was given its progress(); its end then ends the
 /// process by that signal, as callers expect it. A second signal does so at once. Signals that are ignored stay so. One
-/// at a time, on the main thread, before what is to be cleaned up. Elsewhere than on Unix it does nothing.
+/// at a time, on the main thread, before what is to be cleaned up. On Windows the console's Ctrl+C, Ctrl+Break and end
+/// do so, and the process ends with STATUS_CONTROL_C_EXIT.
 class Interruption
 {
 public:

@@ -11,6 +11,9 @@
 #include <string>
 
 #ifdef _WIN32
+#include <windows.h>
+
+#include <cstdlib>
 #include <fcntl.h>
 #include <io.h>
 #else
@@ -35,6 +38,15 @@ std::FILE* takeWire()
     const int wire = dup(STDOUT_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO);
     return fdopen(wire, "wb");
+#endif
+}
+
+/// A decoder that crashes ends the helper; no box asks a person about it.
+void crashQuietly()
+{
+#ifdef _WIN32
+    SetErrorMode(SEM_FAILCRITICALERRORS | SEM_NOGPFAULTERRORBOX | SEM_NOOPENFILEERRORBOX);
+    _set_abort_behavior(0, _WRITE_ABORT_MSG | _CALL_REPORTFAULT);
 #endif
 }
 
@@ -117,6 +129,7 @@ int run(std::FILE* channel)
 
 int main()
 {
+    crashQuietly();
     importer::closeInherited();
     importer::limitResources();
     const int code = run(takeWire());

@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #if defined(_WIN32)
-#define NOMINMAX
 #include <windows.h>
 #elif defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>

@@ -1,9 +1,10 @@
-// glibc's limit, which moves unless it is set, and its pages, which it keeps unless it is told.
+// glibc's limit, which moves unless it is set, and its pages, which it keeps unless it is told; Windows' heap, which is
+// told alike.
 #include "app/session/large_memory.h"
 
 #include <cstdlib>
 
-#if defined(__GLIBC__)
+#if defined(__GLIBC__) || defined(_WIN32)
 #include <malloc.h>
 #endif
 
@@ -21,6 +22,8 @@ void returnFreedMemory()
 {
 #if defined(__GLIBC__)
     malloc_trim(0);
+#elif defined(_WIN32)
+    (void)_heapmin();
 #endif
 }
 

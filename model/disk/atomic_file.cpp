@@ -1,19 +1,13 @@
 // Checked writing.
 #include "model/disk/atomic_file.h"
 
+#include "model/disk/disk_sync.h"
+
 #include <QFile>
 #include <QFileInfo>
 #include <QStorageInfo>
 
 #include <algorithm>
-#include <filesystem>
-#include <system_error>
-
-#ifdef Q_OS_UNIX
-#include <cerrno>
-#include <fcntl.h>
-#include <unistd.h>
-#endif
 
 namespace hairpaint::model {
 
@@ -21,11 +15,6 @@ namespace {
 
 constexpr qsizetype kBufferBytes = 1 << 18;
 constexpr qsizetype kMostAtOnce = 1 << 23;
-
-QString noSpace()
-{
-    return say(QT_TRANSLATE_NOOP("Files", "there is no space left on its disk; make room there and try again"));
-}
 
 /// Not every system has an error of its own for a full disk.
 bool isDiskFull(const QString& path)
@@ -35,38 +24,12 @@ bool isDiskFull(const QString& path)
     return disk.isValid() && disk.isReady() && disk.bytesAvailable() < kHardlyAnything;
 }
 
-/// Some file systems find out only now that there is no room for a byte. Empty where all is well.
-QString syncProblem([[maybe_unused]] const QFileDevice& file)
-{
-#ifdef Q_OS_UNIX
-    if (::fsync(file.handle()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS)
-        return errno == ENOSPC ? noSpace() : writeRefusal(qt_error_string(errno));
-#endif
-    return {};
-}
-
-/// Has the disk begin with bytes that commit() will wait for, while more are written; a hint, which may do nothing.
-void beginFlush([[maybe_unused]] const QFileDevice& file, [[maybe_unused]] qint64 at, [[maybe_unused]] qint64 count)
-{
-#ifdef Q_OS_LINUX
-    if (count == kMostAtOnce)
-        (void)::sync_file_range(file.handle(), at, count, SYNC_FILE_RANGE_WRITE);
-#endif
-}
-
-/// So that a new name outlives a power cut; not every file system can, and the file itself is safe by now.
-void flushFolder([[maybe_unused]] const QString& folder)
-{
-#ifdef Q_OS_UNIX
-    const int descriptor = ::open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0)
-        return;
-    (void)::fsync(descriptor);
-    (void)::close(descriptor);
-#endif
-}
-
 } // namespace
+
+QString noSpace()
+{
+    return say(QT_TRANSLATE_NOOP("Files", "there is no space left on its disk; make room there and try again"));
+}
 
 QString writeProblem(const QFileDevice& file)
 {
@@ -113,7 +76,8 @@ void AtomicFile::writeThrough(QByteArrayView bytes)
             m_problem = writeProblem(file);
             continue;
         }
-        beginFlush(file, at, written);
+        if (written == kMostAtOnce)
+            beginFlush(file, at, written);
         m_isFlushed = false;
         bytes = bytes.sliced(static_cast<qsizetype>(written));
     }
@@ -161,13 +125,6 @@ Checked<void> flushToDisk(QFileDevice& file)
     if (const QString problem = syncProblem(file); !problem.isEmpty())
         return refuse(problem);
     return {};
-}
-
-bool replaceFile(const QString& from, const QString& to)
-{
-    std::error_code problem;
-    std::filesystem::rename(from.toStdU16String(), to.toStdU16String(), problem);
-    return !problem;
 }
 
 Result<void> commitWanted(AtomicFile& file, const QString& path, const Progress& progress)

@@ -1,6 +1,8 @@
 // Following links by hand: the system follows none to what is not there.
 #include "model/disk/output_path.h"
 
+#include "model/disk/windows_names.h"
+
 #include <QFile>
 #include <QFileInfo>
 
@@ -76,6 +78,10 @@ Checked<QString> followed(const QString& path)
 
 Checked<QString> outputPath(const QString& path)
 {
+#ifdef Q_OS_WIN
+    if (const QString problem = windowsNameProblem(QFileInfo(path).fileName()); !problem.isEmpty())
+        return refuse(problem);
+#endif
     if (const QString kind = kindOf(path); !kind.isEmpty())
         return refuse(kind);
     Checked<QString> file = followed(path);

@@ -1,88 +1,19 @@
 // Starting, feeding, reading and ending the helper.
 #include "model/files/helper_process.h"
 
+#include "model/files/helper_confinement.h"
+
 #include <QElapsedTimer>
 #include <QProcess>
 
 #include <algorithm>
 #include <optional>
 
-#ifdef Q_OS_UNIX
-#include <csignal>
-#ifdef Q_OS_LINUX
-#include <sys/prctl.h>
-#endif
-#include <sys/resource.h>
-#include <unistd.h>
-#endif
-
 namespace hairpaint::model {
 
 namespace {
 
 constexpr int kPollMs = 50;
-/// More than the greatest request and its encoded answer need together.
-[[maybe_unused]] constexpr quint64 kMostMemoryBytes = 1'900'000'000;
-[[maybe_unused]] constexpr quint64 kMappedBytes = 1'500'000'000;
-
-#ifdef Q_OS_UNIX
-
-#if defined(HAIRPAINT_ASAN)
-constexpr bool kLimitMemory = false; // address sanitizers reserve terabytes
-#else
-constexpr bool kLimitMemory = true;
-#endif
-
-/// Runs in the child between fork and exec: only async-signal-safe calls.
-void confineChild(int timeoutMs)
-{
-    setpgid(0, 0);
-#ifdef Q_OS_LINUX
-    prctl(PR_SET_PDEATHSIG, SIGKILL); // Nobody is left to read what it says.
-#endif
-    const rlimit none{.rlim_cur = 0, .rlim_max = 0};
-    setrlimit(RLIMIT_CORE, &none);
-    const rlim_t seconds = static_cast<rlim_t>(timeoutMs / 1000) + 2;
-    // Two cores may be at work.
-    const rlimit processor{.rlim_cur = 2 * seconds, .rlim_max = 2 * seconds + 1};
-    setrlimit(RLIMIT_CPU, &processor);
-    if (kLimitMemory) {
-#ifdef Q_OS_LINUX
-        // What it writes to; libraries alone map most of a gigabyte that is never in memory.
-        const rlimit written{.rlim_cur = kMostMemoryBytes, .rlim_max = kMostMemoryBytes};
-        setrlimit(RLIMIT_DATA, &written);
-        const rlimit memory{.rlim_cur = kMostMemoryBytes + kMappedBytes, .rlim_max = kMostMemoryBytes + kMappedBytes};
-#else
-        const rlimit memory{.rlim_cur = kMostMemoryBytes, .rlim_max = kMostMemoryBytes};
-#endif
-        setrlimit(RLIMIT_AS, &memory);
-    }
-}
-
-void confine(QProcess& process, int timeoutMs)
-{
-    process.setChildProcessModifier([timeoutMs] { confineChild(timeoutMs); });
-}
-
-void killGroup(QProcess& process)
-{
-    if (const qint64 id = process.processId(); id > 0)
-        ::kill(static_cast<pid_t>(-id), SIGKILL);
-    process.kill();
-}
-
-#else
-
-// On Windows the helper bounds itself by a job object (app/importer/resource_limits.cpp).
-void confine(QProcess& /*process*/, int /*timeoutMs*/) {}
-
-void killGroup(QProcess& process)
-{
-    process.kill();
-}
-
-#endif
-
 /// Collects an answer's bytes; allocates the body only after its header was found good.
 class AnswerReader
 {
@@ -156,17 +87,18 @@ tl::expected<HelperAnswer, HelperFailure> runHelper(const QString& program, cons
     QProcess process;
     // Decoders print lines of their own; the program's one line is its own.
     process.setStandardErrorFile(QProcess::nullDevice());
-    confine(process, timeoutMs);
+    HelperConfinement confinement(process, timeoutMs);
     process.start(program, QStringList());
     if (!process.waitForStarted(timeoutMs))
         return tl::unexpected(HelperFailure::NotStarted);
+    confinement.started();
     process.write(reinterpret_cast<const char*>(request.data()), static_cast<qint64>(request.size()));
     process.closeWriteChannel();
 
     AnswerReader reader;
     const std::optional<HelperFailure> failed = converse(process, reader, timeoutMs, progress);
     if (failed) {
-        killGroup(process);
+        confinement.kill();
         process.waitForFinished();
         return tl::unexpected(*failed);
     }

@@ -13,7 +13,7 @@ if(HAIRPAINT_CCACHE)
     endif()
 endif()
 find_program(HAIRPAINT_LLD ld.lld)
-if(HAIRPAINT_LLD AND NOT MSVC)
+if(HAIRPAINT_LLD AND NOT WIN32)
     add_link_options(-fuse-ld=lld)
 endif()
 
@@ -29,6 +29,9 @@ add_library(hairpaint_options INTERFACE)
 target_include_directories(hairpaint_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_definitions(hairpaint_options INTERFACE QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII
     QT_NO_URL_CAST_FROM_STRING QT_NO_KEYWORDS GLM_FORCE_SILENT_WARNINGS)
+if(WIN32)
+    target_compile_definitions(hairpaint_options INTERFACE NOMINMAX WIN32_LEAN_AND_MEAN _WIN32_WINNT=0x0A00) # Windows 10 and later.
+endif()
 if(MSVC)
     # UTF-8 sources, and exact floating point: sim promises the same bytes everywhere.
     target_compile_options(hairpaint_options INTERFACE /W4 /WX /utf-8 /fp:precise /permissive- /Zc:__cplusplus)

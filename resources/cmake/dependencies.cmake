@@ -43,7 +43,12 @@ qt_standard_project_setup()
 
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 if(NOT HAIRPAINT_TESTS STREQUAL "tsan")
-    find_package(Qt6 6.4 REQUIRED COMPONENTS OpenGL OpenGLWidgets Svg LinguistTools)
+    find_package(Qt6 6.4 REQUIRED COMPONENTS OpenGL OpenGLWidgets LinguistTools)
+    # A folder of the icons as pictures (resources/packaging/windows/icons), where there is no Qt Svg.
+    set(HAIRPAINT_DRAWN_ICONS "" CACHE PATH "The icons as pictures; empty where Qt Svg draws them")
+    if(NOT HAIRPAINT_DRAWN_ICONS)
+        find_package(Qt6 6.4 REQUIRED COMPONENTS Svg)
+    endif()
     find_package(assimp REQUIRED)
     find_package(OpenImageIO REQUIRED)
     find_package(nlohmann_json REQUIRED)

@@ -1,6 +1,7 @@
 // Line drawings coloured as they are rendered.
 #include "view/look/icons.h"
 
+#include "view/look/icon_drawing.h"
 #include "view/look/resources.h"
 #include "view/look/theme.h"
 
@@ -9,7 +10,6 @@
 #include <QIconEngine>
 #include <QPainter>
 #include <QPixmapCache>
-#include <QSvgRenderer>
 
 namespace hairpaint::view {
 
@@ -28,16 +28,10 @@ QPixmap render(const QString& name, QSize pixels, const QColor& colour)
     if (QPixmapCache::find(key, &pixmap))
         return pixmap;
     initResources();
-    QFile file(hasIcon(name) ? pathOf(name) : pathOf(QStringLiteral("dot")));
-    QByteArray drawing = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    drawing.replace("currentColor", colour.name().toLatin1());
-    QSvgRenderer renderer(drawing);
-    renderer.setAspectRatioMode(Qt::KeepAspectRatio);
     pixmap = QPixmap(pixels);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
-    painter.setOpacity(colour.alphaF());
-    renderer.render(&painter);
+    drawIcon(painter, hasIcon(name) ? name : QStringLiteral("dot"), colour);
     painter.end();
     QPixmapCache::insert(key, pixmap);
     return pixmap;

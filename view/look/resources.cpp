@@ -7,6 +7,9 @@
 static void initialise()
 {
     Q_INIT_RESOURCE(hairpaint_view);
+#ifdef HAIRPAINT_DRAWN_ICONS
+    Q_INIT_RESOURCE(hairpaint_drawn);
+#endif
 }
 
 namespace hairpaint::view {

@@ -1,0 +1,19 @@
+// What each system has of its own for putting files on the disk and replacing them. Any thread; may take long.
+#pragma once
+
+#include <QFileDevice>
+
+namespace hairpaint::model {
+
+/// Waits until all that was written to an open file is on the disk. Some file systems find out only now that there is
+/// no room for a byte. Returns why it failed, as a clause; empty where all is well.
+[[nodiscard]] QString syncProblem(const QFileDevice& file);
+/// Has the disk begin with bytes that syncProblem() will wait for, while more are written; a hint, which may do
+/// nothing.
+void beginFlush(const QFileDevice& file, qint64 at, qint64 count);
+/// So that a new name outlives a power cut; not every file system can, and the file itself is safe by then.
+void flushFolder(const QString& folder);
+/// As a clause.
+[[nodiscard]] QString noSpace();
+
+} // namespace hairpaint::model

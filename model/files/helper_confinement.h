@@ -1,0 +1,28 @@
+// What bounds one run of hairpaint-import from outside, and ends it with all that it started: a process group with
+// resource limits on Unix, a job object on Windows.
+#pragma once
+
+class QProcess;
+
+namespace hairpaint::model {
+
+/// Made before the process starts, on the thread that starts it; lives until it has ended. On Windows the process ends
+/// with this at the latest.
+class HelperConfinement
+{
+public:
+    HelperConfinement(QProcess& process, int timeoutMs);
+    ~HelperConfinement();
+    HelperConfinement(const HelperConfinement&) = delete;
+    HelperConfinement& operator=(const HelperConfinement&) = delete;
+
+    /// The process runs and has been sent nothing yet.
+    void started();
+    void kill();
+
+private:
+    QProcess& m_process;
+    void* m_job = nullptr; ///< Windows alone.
+};
+
+} // namespace hairpaint::model
