@@ -2710,6 +2710,57 @@
     </message>
 </context>
 <context>
+    <name>ProjectQuestions</name>
+    <message>
+        <source>Open project</source>
+        <translation>Abrir proyecto</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Guardar proyecto</translation>
+    </message>
+    <message>
+        <source>Save changes?</source>
+        <translation>¿Guardar los cambios?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changes that are not saved.</source>
+        <translation>«%1» tiene cambios sin guardar.</translation>
+    </message>
+    <message>
+        <source>Hair Paint</source>
+        <translation>Hair Paint</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is open in another window. What is saved in one of them would replace what was saved in the other.</source>
+        <translation>«%1» está abierto en otra ventana. Lo que se guarde en una de ellas reemplazaría lo guardado en la otra.</translation>
+    </message>
+    <message>
+        <source>&amp;Open anyway</source>
+        <translation>&amp;Abrir de todos modos</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was changed by another program since it was opened or saved here. Replacing it would lose those changes.</source>
+        <translation>Otro programa cambió «%1» desde que se abrió o guardó aquí. Reemplazarlo haría perder esos cambios.</translation>
+    </message>
+    <message>
+        <source>&amp;Save under another name...</source>
+        <translation>&amp;Guardar con otro nombre...</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Reemplazar</translation>
+    </message>
+    <message>
+        <source>&amp;Open what can be read</source>
+        <translation>&amp;Abrir lo que se pueda leer</translation>
+    </message>
+    <message>
+        <source>What is left of it can be opened as a new project; the file stays as it is.</source>
+        <translation>Lo que queda de él se puede abrir como un proyecto nuevo; el archivo queda como está.</translation>
+    </message>
+</context>
+<context>
     <name>Recovery</name>
     <message>
         <source>Untitled</source>
@@ -5092,6 +5143,65 @@ Se ha perdido esto:</translation>
     </message>
 </context>
 <context>
+    <name>hairpaint::view::GroupSettingsPanel</name>
+    <message>
+        <source>Shape</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>Braids</source>
+        <translation>Trenzas</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aspecto</translation>
+    </message>
+    <message>
+        <source>%1 of &quot;%2&quot;</source>
+        <translation>%1 de «%2»</translation>
+    </message>
+    <message>
+        <source>What was painted on %1 beyond %2 is %2 now; undo brings it back.</source>
+        <translation>Lo pintado en %1 por encima de %2 es ahora %2; deshacer lo devuelve.</translation>
+    </message>
+    <message>
+        <source>What was painted on %1 below %2 is %2 now; undo brings it back.</source>
+        <translation>Lo pintado en %1 por debajo de %2 es ahora %2; deshacer lo devuelve.</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>Variación</translation>
+    </message>
+    <message>
+        <source>Curl</source>
+        <translation>Rizo</translation>
+    </message>
+    <message>
+        <source>Locks</source>
+        <translation>Mechones</translation>
+    </message>
+    <message>
+        <source>Hair type</source>
+        <translation>Tipo de cabello</translation>
+    </message>
+    <message>
+        <source>From straight (1) by wavy (2) and curly (3) to coily (4): sets the numbers below</source>
+        <translation>De liso (1), ondulado (2) y rizado (3) a muy rizado (4): fija los valores de abajo</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Propio</translation>
+    </message>
+    <message>
+        <source>Hair type of &quot;%1&quot;</source>
+        <translation>Tipo de cabello de «%1»</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::HairImportDialog</name>
     <message>
         <source>Import hair</source>
@@ -5492,6 +5602,13 @@ Se ha perdido esto:</translation>
     </message>
 </context>
 <context>
+    <name>hairpaint::view::HexField</name>
+    <message>
+        <source>“%1” is no colour; type six digits of 0–9 and A–F, such as %2, or rgb(26, 43, 60).</source>
+        <translation>«%1» no es un color; escribe seis cifras de 0–9 y A–F, como %2, o rgb(26, 43, 60).</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::ImageReadingDialog</name>
     <message>
         <source>Read the image</source>
@@ -5840,6 +5957,25 @@ Se ha perdido esto:</translation>
     <message>
         <source>Maps</source>
         <translation>Mapas</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::MelaninSliders</name>
+    <message>
+        <source>Melanin</source>
+        <translation>Melanina</translation>
+    </message>
+    <message>
+        <source>The pigment of hair that is not dyed: from white to black</source>
+        <translation>El pigmento del pelo sin teñir: de blanco a negro</translation>
+    </message>
+    <message>
+        <source>Redness</source>
+        <translation>Rojez</translation>
+    </message>
+    <message>
+        <source>How much of the pigment is the red one</source>
+        <translation>Qué parte del pigmento es la rojiza</translation>
     </message>
 </context>
 <context>
@@ -6582,142 +6718,6 @@ Se ha perdido esto:</translation>
     <message>
         <source>How far hair is wound about the tie</source>
         <translation>Hasta dónde se enrolla el pelo alrededor del coletero</translation>
-    </message>
-</context>
-<context>
-    <name>hairpaint::view::MelaninSliders</name>
-    <message>
-        <source>Melanin</source>
-        <translation>Melanina</translation>
-    </message>
-    <message>
-        <source>The pigment of hair that is not dyed: from white to black</source>
-        <translation>El pigmento del pelo sin teñir: de blanco a negro</translation>
-    </message>
-    <message>
-        <source>Redness</source>
-        <translation>Rojez</translation>
-    </message>
-    <message>
-        <source>How much of the pigment is the red one</source>
-        <translation>Qué parte del pigmento es la rojiza</translation>
-    </message>
-</context>
-<context>
-    <name>hairpaint::view::HexField</name>
-    <message>
-        <source>“%1” is no colour; type six digits of 0–9 and A–F, such as %2, or rgb(26, 43, 60).</source>
-        <translation>«%1» no es un color; escribe seis cifras de 0–9 y A–F, como %2, o rgb(26, 43, 60).</translation>
-    </message>
-</context>
-<context>
-    <name>hairpaint::view::GroupSettingsPanel</name>
-    <message>
-        <source>Shape</source>
-        <translation>Forma</translation>
-    </message>
-    <message>
-        <source>Braids</source>
-        <translation>Trenzas</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>Movimiento</translation>
-    </message>
-    <message>
-        <source>Look</source>
-        <translation>Aspecto</translation>
-    </message>
-    <message>
-        <source>%1 of &quot;%2&quot;</source>
-        <translation>%1 de «%2»</translation>
-    </message>
-    <message>
-        <source>What was painted on %1 beyond %2 is %2 now; undo brings it back.</source>
-        <translation>Lo pintado en %1 por encima de %2 es ahora %2; deshacer lo devuelve.</translation>
-    </message>
-    <message>
-        <source>What was painted on %1 below %2 is %2 now; undo brings it back.</source>
-        <translation>Lo pintado en %1 por debajo de %2 es ahora %2; deshacer lo devuelve.</translation>
-    </message>
-    <message>
-        <source>Variation</source>
-        <translation>Variación</translation>
-    </message>
-    <message>
-        <source>Curl</source>
-        <translation>Rizo</translation>
-    </message>
-    <message>
-        <source>Locks</source>
-        <translation>Mechones</translation>
-    </message>
-    <message>
-        <source>Hair type</source>
-        <translation>Tipo de cabello</translation>
-    </message>
-    <message>
-        <source>From straight (1) by wavy (2) and curly (3) to coily (4): sets the numbers below</source>
-        <translation>De liso (1), ondulado (2) y rizado (3) a muy rizado (4): fija los valores de abajo</translation>
-    </message>
-    <message>
-        <source>Custom</source>
-        <translation>Propio</translation>
-    </message>
-    <message>
-        <source>Hair type of &quot;%1&quot;</source>
-        <translation>Tipo de cabello de «%1»</translation>
-    </message>
-</context>
-<context>
-    <name>ProjectQuestions</name>
-    <message>
-        <source>Open project</source>
-        <translation>Abrir proyecto</translation>
-    </message>
-    <message>
-        <source>Save project</source>
-        <translation>Guardar proyecto</translation>
-    </message>
-    <message>
-        <source>Save changes?</source>
-        <translation>¿Guardar los cambios?</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has changes that are not saved.</source>
-        <translation>«%1» tiene cambios sin guardar.</translation>
-    </message>
-    <message>
-        <source>Hair Paint</source>
-        <translation>Hair Paint</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is open in another window. What is saved in one of them would replace what was saved in the other.</source>
-        <translation>«%1» está abierto en otra ventana. Lo que se guarde en una de ellas reemplazaría lo guardado en la otra.</translation>
-    </message>
-    <message>
-        <source>&amp;Open anyway</source>
-        <translation>&amp;Abrir de todos modos</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; was changed by another program since it was opened or saved here. Replacing it would lose those changes.</source>
-        <translation>Otro programa cambió «%1» desde que se abrió o guardó aquí. Reemplazarlo haría perder esos cambios.</translation>
-    </message>
-    <message>
-        <source>&amp;Save under another name...</source>
-        <translation>&amp;Guardar con otro nombre...</translation>
-    </message>
-    <message>
-        <source>&amp;Replace</source>
-        <translation>&amp;Reemplazar</translation>
-    </message>
-    <message>
-        <source>&amp;Open what can be read</source>
-        <translation>&amp;Abrir lo que se pueda leer</translation>
-    </message>
-    <message>
-        <source>What is left of it can be opened as a new project; the file stays as it is.</source>
-        <translation>Lo que queda de él se puede abrir como un proyecto nuevo; el archivo queda como está.</translation>
     </message>
 </context>
 </TS>

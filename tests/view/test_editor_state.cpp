@@ -1,5 +1,6 @@
 // What the user works with, whichever view changes it.
 #include "model/document/commands.h"
+#include "model/files/project_file.h"
 #include "tests/support/test_program.h"
 #include "tests/view/panel_fixture.h"
 
@@ -63,6 +64,42 @@ private Q_SLOTS:
         QCOMPARE(told.count(), lengthM < 0.15F ? 1 : 0);
         f.document.undo();
         QVERIFY(std::abs(f.lengthM() - 0.15F) < 1e-5F);
+    }
+
+    /// Whatever comes last in it; a step of other maps shows the last of them.
+    void anUndoneStepOfSeveralMapsLeavesTheOneThatIsShown_data()
+    {
+        QTest::addColumn<MapKind>("shown");
+        QTest::addColumn<MapKind>("after");
+        QTest::newRow("the first") << MapKind::Length << MapKind::Length;
+        QTest::newRow("the last") << MapKind::Gel << MapKind::Gel;
+        QTest::newRow("none") << MapKind::Density << MapKind::Gel;
+    }
+    void anUndoneStepOfSeveralMapsLeavesTheOneThatIsShown()
+    {
+        QFETCH(MapKind, shown);
+        QFETCH(MapKind, after);
+        model::Document document(model::newProject());
+        view::EditTarget target(document);
+        target.setMap(shown);
+        const bool held = target.hold(true);
+        model::EditSession edit = document.begin({.text = QStringLiteral("Two maps")});
+        for (const MapKind map : {MapKind::Length, MapKind::Gel}) {
+            const model::HairGroup& group = document.committed().groups.front();
+            const model::Layer& layer = group.map(map).layers.front();
+            sim::TiledRaster raster = layer.raster;
+            raster.setTexel(3, 3, {1000, 65535, 0, 0});
+            edit.previewTiles({group.id, map, layer.id}, {{0, raster.tile(0)}});
+        }
+        edit.commit();
+        target.hold(held);
+        QCOMPARE(document.undoStack().count(), 1);
+        QCOMPARE(target.map(), shown);
+        document.undo();
+        QCOMPARE(target.map(), after);
+        target.setMap(shown);
+        document.redo();
+        QCOMPARE(target.map(), after);
     }
 
     void aStyleThatIsOnlyLookedAtLeavesTheAmountToo()
