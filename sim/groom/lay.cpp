@@ -83,34 +83,38 @@ bool Lay::add(const LayRoot& root, float lengthM)
 
 bool Lay::isBare(const LayRoot& root, float falls, glm::vec3 growth, float gapM) const
 {
-    constexpr float kDiverges = 1.0F; ///< Directions on both sides, by twice their length at most;
-    constexpr float kOneWay = 0.5F;   ///< in a whorl they do so along the other axis, too.
+    constexpr float kDiverges = 1.0F; ///< Directions on both sides of a parting, by twice their length at most,
+    constexpr float kOneWay = 0.5F;   ///< and less along it; in a whorl they do all around.
+    if (glm::dot(growth, growth) < kStandsBelow * kStandsBelow)
+        return false;
     const SkinBand& band = *m_inputs.field->band();
     const LayCell* cells = m_inputs.field->cells();
-    const float flatness = std::sqrt(glm::dot(growth, growth));
-    if (flatness < kStandsBelow)
-        return false;
-    const glm::vec3 along = growth / flatness;
-    const auto at = [&](glm::vec3 offset, glm::vec3 axis) {
+    const auto at = [&](glm::vec3 offset) {
         const std::int32_t cell = band.cellAt(root.positionHd + offset);
-        return glm::dot(cell == SkinBand::kNone ? growth : cells[cell].directions.of(falls), axis);
+        return cell == SkinBand::kNone ? growth : cells[cell].directions.of(falls);
     };
-    // Hair flows away from a parting, and along it on the line itself.
-    const float behind = flatness - at(along * -kProbeM, along);
-    const glm::vec3 side = glm::cross(root.frame.normal, along);
-    const float beside = at(side * kProbeM, side) - at(side * -kProbeM, side);
-    if (std::max(behind, beside) < kDiverges || std::min(behind, beside) > kOneWay)
+    // How the field spreads: a symmetric matrix, whose first axis goes across the parting.
+    const glm::vec3 overX = at(root.frame.x * kProbeM) - at(root.frame.x * -kProbeM);
+    const glm::vec3 overY = at(root.frame.y * kProbeM) - at(root.frame.y * -kProbeM);
+    const float xx = glm::dot(overX, root.frame.x);
+    const float yy = glm::dot(overY, root.frame.y);
+    const float xy = 0.5F * (glm::dot(overX, root.frame.y) + glm::dot(overY, root.frame.x));
+    const float mean = 0.5F * (xx + yy);
+    const float half = 0.5F * (xx - yy);
+    const float apart = std::sqrt(half * half + xy * xy);
+    if (mean + apart < kDiverges || mean - apart > kOneWay)
         return false;
+    const glm::vec2 axis = half > 0.0F ? glm::vec2(apart + half, xy) : glm::vec2(xy, apart - half);
+    const glm::vec3 across = (root.frame.x * axis.x + root.frame.y * axis.y) / std::sqrt(glm::dot(axis, axis));
 
     constexpr float kWaverPhase = 2.6F;
     constexpr float kFiner = 1.7F;
     constexpr float kUneven = 0.35F; ///< Of its width;
     constexpr float kFrayed = 0.4F;  ///< and by how much of that single hairs differ.
-    const glm::vec3 across = behind > beside ? along : side;
     const glm::vec3 offset = root.frame.x * (m_inputs.partWaversM * wavering(root.positionHd, 0.0F)) +
                              root.frame.y * (m_inputs.partWaversM * wavering(root.positionHd, kPartAlongPhase));
-    const float half = 0.5F * gapM * (1.0F + kUneven * wavering(root.positionHd * kFiner, kWaverPhase)) *
-                       (1.0F + kFrayed * (root.chance - 0.5F));
+    const float bareM = 0.5F * gapM * (1.0F + kUneven * wavering(root.positionHd * kFiner, kWaverPhase)) *
+                        (1.0F + kFrayed * (root.chance - 0.5F));
     // Between the points of two cells that are of two sides.
     float beforeM = 0.0F;
     float beforeTo = 1.0F;
@@ -121,7 +125,7 @@ bool Lay::isBare(const LayRoot& root, float falls, glm::vec3 growth, float gapM)
         const float atM =
             glm::dot(band.cells()[static_cast<std::size_t>(cell)].positionHd - root.positionHd - offset, across);
         const float to = glm::dot(cells[cell].directions.of(falls), across);
-        if (beforeTo < 0.0F && to >= 0.0F && std::abs(beforeM + (atM - beforeM) * (beforeTo / (beforeTo - to))) < half)
+        if (beforeTo < 0.0F && to >= 0.0F && std::abs(beforeM + (atM - beforeM) * (beforeTo / (beforeTo - to))) < bareM)
             return true;
         beforeM = atM;
         beforeTo = to;

@@ -167,6 +167,7 @@ void TestGroomUpdates::aCombedDabRelaysTheStrandsThatCrossIt()
     constexpr float kRadius = 0.04F;
     const glm::vec2 centre(0.56F, 0.56F);
     GroomInput input = startInput();
+    input.groups[0].settings.variation.partGapM = 0.0F; // Else also those to which it may be a parting.
     input.groups[0].settings.greatestLengthM = lengthM;
     input.groups[0].maps[MapSlot::Clump] = uniformMap(clump);
     input.groups[0].maps[MapSlot::Direction] = std::make_shared<TiledRaster>(512, 2, texelOfDirection({0.9F, 0.1F}));
