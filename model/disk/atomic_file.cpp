@@ -1,8 +1,6 @@
 // Checked writing.
 #include "model/disk/atomic_file.h"
 
-#include "model/disk/disk_sync.h"
-
 #include <QFile>
 #include <QFileInfo>
 #include <QStorageInfo>

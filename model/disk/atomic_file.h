@@ -1,6 +1,7 @@
 // Writes files whole or not at all; no other code writes any.
 #pragma once
 
+#include "model/disk/disk_sync.h"
 #include "model/disk/output_path.h"
 #include "model/disk/staged_file.h"
 #include "model/values/progress.h"
@@ -52,10 +53,10 @@ private:
 
 /// Flushes an open file to the disk; all of it is there when this succeeds.
 [[nodiscard]] Checked<void> flushToDisk(QFileDevice& file);
-/// Replaces one file by another: at any moment the name refers to the old or the new file, complete.
-[[nodiscard]] bool replaceFile(const QString& from, const QString& to);
 
 /// Why the last write to `file` failed, as a clause.
 [[nodiscard]] QString writeProblem(const QFileDevice& file);
+/// There is none left on a disk, as a clause.
+[[nodiscard]] QString noSpace();
 
 } // namespace hairpaint::model

@@ -13,7 +13,7 @@ namespace hairpaint::model {
 void beginFlush(const QFileDevice& file, qint64 at, qint64 count);
 /// So that a new name outlives a power cut; not every file system can, and the file itself is safe by then.
 void flushFolder(const QString& folder);
-/// As a clause.
-[[nodiscard]] QString noSpace();
+/// Replaces one file by another: at any moment the name refers to the old or the new file, complete.
+[[nodiscard]] bool replaceFile(const QString& from, const QString& to);
 
 } // namespace hairpaint::model

@@ -73,6 +73,7 @@ constexpr Room kRooms[] = {
     {"view", "dialogs", "rendering look editing widgets paint_area head_area"},
 
     {"app", "importer", ""},
+    {"app", "launcher", ""},
     {"app", "background", ""},
     {"app", "settings", "background"},
     {"app", "session", "background"},
@@ -206,6 +207,7 @@ private Q_SLOTS:
             while (walk.hasNext()) {
                 QFile file(walk.next());
                 if (file.fileName().endsWith(QLatin1String("_wgl.cpp")) ||
+                    file.fileName().endsWith(QLatin1String("_windows.cpp")) ||
                     file.fileName().endsWith(QLatin1String("_portable.cpp")))
                     continue; // Of two guarded files one is built.
                 QVERIFY(file.open(QIODevice::ReadOnly));

@@ -1,5 +1,6 @@
 ; The installer: for the user alone, without an administrator, into AppData\Local\Programs. VERSION, FOLDER, ICON and OUTPUT are the build's.
 ; What the program keeps for the user (settings, own styles, unsaved work) lies elsewhere in AppData, and stays when it is removed.
+Target amd64-unicode ; As the program is, and as a 64-bit wine runs it.
 Unicode true
 ManifestDPIAware true
 RequestExecutionLevel user
