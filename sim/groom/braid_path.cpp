@@ -141,6 +141,23 @@ float braidRest(const RootFrame& root, const RootFrame& centre, float aboveM, fl
     return scalpM;
 }
 
+CornrowJoin cornrowRest(glm::vec3 rootHd, const BraidRow& row, float radiusM, float tailM,
+                        std::span<glm::vec3> nodesHd)
+{
+    constexpr float kJoinsOnM = 0.006F;
+    CornrowJoin join;
+    join.beforeM = std::min(alongRowM(row, rootHd) + kJoinsOnM, row.lengthM);
+    join.lengthM = row.lengthM - join.beforeM + tailM;
+    const auto spans = static_cast<float>(nodesHd.size() - 2);
+    nodesHd[0] = rootHd;
+    for (std::size_t node = 1; node < nodesHd.size(); ++node)
+        nodesHd[node] = onRow(row, join.beforeM + join.lengthM * static_cast<float>(node - 1) / spans,
+                              kCornrowAboveRadii * radiusM);
+    join.scalpM = lengthOf(nodesHd[1] - rootHd);
+    join.end = (1.0F + spans * (row.lengthM - join.beforeM) / join.lengthM) / (spans + 1.0F);
+    return join;
+}
+
 std::uint32_t wispCount(BraidKind kind)
 {
     return static_cast<std::uint32_t>(lacingOf(kind).wisps);
