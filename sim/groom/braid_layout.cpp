@@ -68,7 +68,9 @@ RasterTilePtr lacedTile(const TiledRaster& braid, const TiledRaster& density, in
 /// The patch of a hair: that of its texel, or of one beside it where its own is bare.
 std::optional<std::size_t> patchAt(const PatchLabels& labels, glm::vec2 uv, std::uint8_t kind, float texel)
 {
-    const auto isOfKind = [&](std::optional<std::size_t> patch) { return patch && labels.patches()[*patch].kind == kind; };
+    const auto isOfKind = [&](std::optional<std::size_t> patch) {
+        return patch && labels.patches()[*patch].kind == kind;
+    };
     if (const std::optional<std::size_t> own = labels.at(uv); isOfKind(own))
         return own;
     for (int ring = 1; ring <= 2; ++ring)
@@ -181,7 +183,8 @@ bool BraidLayout::updateLabels(const Inputs& inputs)
     if (!m_islands || m_islands->skin() != inputs.roots.skin || m_islands->size() != inputs.braid->size())
         m_islands = std::make_shared<const SkinIslands>(inputs.roots.skin, inputs.braid->size());
     const bool isNew = !m_laced || m_laced->size() != inputs.braid->size();
-    auto laced = isNew ? std::make_shared<TiledRaster>(inputs.braid->size(), 1) : std::make_shared<TiledRaster>(*m_laced);
+    auto laced =
+        isNew ? std::make_shared<TiledRaster>(inputs.braid->size(), 1) : std::make_shared<TiledRaster>(*m_laced);
     const bool isSameSize = inputs.braid->size() == inputs.density->size();
     bool differs = isNew;
     for (int tile = 0; tile < laced->tileCount(); ++tile) {
@@ -255,11 +258,12 @@ void BraidLayout::plant(const Inputs& inputs, std::size_t begin, std::size_t end
             m_braids.push_back({.kind = painted});
         }
     }
-    // The hair nearest to the middle, or the solved hair of the same cell that is nearest to that, if it is about there.
+    // The hair nearest to the middle, or the solved hair of the same cell that is nearest to that, if it is about
+    // there.
     constexpr float kAboutThere = 1.5F; // Of the solved hairs' spacing.
     constexpr float kFar = std::numeric_limits<float>::max();
-    const float aboutM = kAboutThere * std::sqrt(static_cast<float>(roots.skin->areaM2()) /
-                                                 static_cast<float>(roots.basisSlot.size()));
+    const float aboutM =
+        kAboutThere * std::sqrt(static_cast<float>(roots.skin->areaM2()) / static_cast<float>(roots.basisSlot.size()));
     const std::span<const glm::vec3> middles = std::span(m_middlesHd).subspan(first);
     std::vector<std::size_t> cells;
     std::vector<float> nearest(middles.size(), kFar);

@@ -187,10 +187,11 @@ private:
         storeBuffer(slot);
         if (m_chunk.cornrows.empty())
             m_chunk.cornrows.resize(kChunkSlots);
-        m_chunk.cornrows[slot - m_firstSlot] = {.end = join.end,
-                                                .tailM = braid.lengthM,
-                                                .endHd = onRow(*braid.row, braid.row->lengthM, kCornrowAboveRadii * braid.radiusM),
-                                                .sideHd = braid.row->sideHd};
+        m_chunk.cornrows[slot - m_firstSlot] = {
+            .end = join.end,
+            .tailM = braid.lengthM,
+            .endHd = onRow(*braid.row, braid.row->lengthM, kCornrowAboveRadii * braid.radiusM),
+            .sideHd = braid.row->sideHd};
     }
 
     void joinBraid(std::uint32_t slot, StrandStyle style, const Braid& braid)
@@ -198,9 +199,9 @@ private:
         if (braid.row)
             return joinRow(slot, style, braid);
         const RootSet& roots = m_inputs.roots;
-        const float scalpM = braidRest(rootFrame(roots, slot), rootFrame(roots, braid.root),
-                                       braidBeginsAboveM(braid.kind, braid.radiusM), braid.lengthM,
-                                       std::span(m_buffer).first(m_nodes));
+        const float scalpM =
+            braidRest(rootFrame(roots, slot), rootFrame(roots, braid.root),
+                      braidBeginsAboveM(braid.kind, braid.radiusM), braid.lengthM, std::span(m_buffer).first(m_nodes));
         applyBraid(m_inputs.settings, braid.kind, wispChanceOf(roots.seed, roots.rankOfSlot[slot]),
                    {.scalpM = scalpM, .lengthM = braid.lengthM, .radiusM = braid.radiusM}, style);
         m_passed.put(slot, {});

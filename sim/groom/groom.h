@@ -38,7 +38,7 @@ struct StrandStyle
     float lengthM = 0.0F; ///< The skeleton's; a braided hair's is that of its path over the scalp and its braid.
     float turns = 0.0F;   ///< Of equation 1 over the whole hair.
     float curlRadiusM = 0.0F;
-    float phase = 0.0F; ///< t at the root, rad. Of a hair that joins a cornrow: its turns up to there.
+    float phase = 0.0F;           ///< t at the root, rad. Of a hair that joins a cornrow: its turns up to there.
     std::uint32_t rootColour = 0; ///< 0xAABBGGRR, sRGB as encoded.
     std::uint32_t tipColour = 0;
     float width = 1.0F;  ///< Diameter as a multiple of the material's.
@@ -54,7 +54,7 @@ struct StrandStyle
     BraidKind braid = BraidKind::None;
     std::uint8_t wisp = 0;                                        ///< See wispNumber(); and kTautBit.
     std::uint16_t gloss = ruleOf(MapSlot::Gloss).defaultValue[0]; ///< The gloss map's: 65535 is 1.
-    float frizzM = 0.0F; ///< How far it strays from its course at the tip, at most; a short one less.
+    float frizzM = 0.0F;           ///< How far it strays from its course at the tip, at most; a short one less.
     std::uint16_t braidTaper = 0;  ///< 0..255: GroupSettings::braidTaper in 255ths,
     std::uint16_t braidTied = 255; ///< and braidTie.
 

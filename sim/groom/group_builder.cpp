@@ -360,8 +360,8 @@ void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSampler
     for (std::size_t chunk = 0; chunk < dirty.hairs.chunkCount(); ++chunk)
         if (!dirty.hairs.chunkEmpty(chunk) || !dirty.look.chunkEmpty(chunk))
             stale.push_back(chunk);
-    const ChunkInputs inputs{settings, *m_roots,  maps,    lay,        m_newBasis ? *m_newBasis : *m_basis,
-                             m_braids, m_kinds, m_locks, m_hairline, m_gathering};
+    const ChunkInputs inputs{settings, *m_roots, maps,    lay,        m_newBasis ? *m_newBasis : *m_basis,
+                             m_braids, m_kinds,  m_locks, m_hairline, m_gathering};
     const std::vector<std::shared_ptr<const StrandChunk>> before = groom.chunks;
     parallelFor(stale.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)

@@ -143,7 +143,8 @@ glm::vec3 braidedOffset(const StrandStyle& style, float q, float lengthM)
                                      .chance = style.variation,
                                      .taper = static_cast<float>(style.braidTaper) / kWhole,
                                      .tied = static_cast<float>(style.braidTied) / kWhole},
-                                    static_cast<float>(style.braid), static_cast<float>(style.wispNumber()), q, lengthM);
+                                    static_cast<float>(style.braid), static_cast<float>(style.wispNumber()), q,
+                                    lengthM);
 }
 
 } // namespace
@@ -179,7 +180,8 @@ BraidLacing lacingOf(BraidKind kind)
 
 glm::vec3 braidOffset(float t, float w)
 {
-    const of_floats::WispPath path = of_floats::wispPath(of_floats::lacingOf(static_cast<float>(BraidKind::Plait)), t + w);
+    const of_floats::WispPath path =
+        of_floats::wispPath(of_floats::lacingOf(static_cast<float>(BraidKind::Plait)), t + w);
     return {path.x, 0.0F, path.z};
 }
 
