@@ -2416,6 +2416,10 @@
         <translation>Espiga</translation>
     </message>
     <message>
+        <source>Cornrow</source>
+        <translation>Trenza pegada</translation>
+    </message>
+    <message>
         <source>Density</source>
         <translation>Densidad</translation>
     </message>

@@ -134,7 +134,8 @@ private:
         if (m_before != nullptr) {
             const auto was = std::ranges::find(m_before->things, worn.id);
             if (isHeld && was != m_before->things.end() &&
-                sim::samePatch(m_before->labels, static_cast<std::size_t>(was - m_before->things.begin()), m_labels, patch))
+                sim::samePatch(m_before->labels, static_cast<std::size_t>(was - m_before->things.begin()), m_labels,
+                               patch))
                 return;
         }
         const std::optional<PatchShape> shape =

@@ -86,6 +86,7 @@ vec3 braidedOffsetAt(uint slot, float q, float metres)
     BraidedHair hair;
     hair.radiusM = styles[slot].braidRadiusM;
     hair.turns = styles[slot].braidTurns;
+    hair.begun = styles[slot].phase;
     hair.wispX = styles[slot].wispOffsetX;
     hair.wispY = styles[slot].wispOffsetY;
     hair.chance = styles[slot].variation;

@@ -20,6 +20,7 @@ constexpr std::size_t kFewSampled = 32;        ///< and where a patch has fewer 
 constexpr std::size_t kMostBraids = 256;       ///< Of a patch; bounds the time that a tiny spacing would take.
 constexpr int kLloydSteps = 4;
 constexpr float kShortestM = 0.005F;
+constexpr float kMostCornrowM = 0.002F; ///< Its radius: so it keeps within 6 mm of the skin.
 constexpr std::size_t kHairsAtOnce = 4096;
 
 float squaredDistance(glm::vec3 a, glm::vec3 b)
@@ -67,7 +68,9 @@ RasterTilePtr lacedTile(const TiledRaster& braid, const TiledRaster& density, in
 /// The patch of a hair: that of its texel, or of one beside it where its own is bare.
 std::optional<std::size_t> patchAt(const PatchLabels& labels, glm::vec2 uv, std::uint8_t kind, float texel)
 {
-    const auto isOfKind = [&](std::optional<std::size_t> patch) { return patch && labels.patches()[*patch].kind == kind; };
+    const auto isOfKind = [&](std::optional<std::size_t> patch) {
+        return patch && labels.patches()[*patch].kind == kind;
+    };
     if (const std::optional<std::size_t> own = labels.at(uv); isOfKind(own))
         return own;
     for (int ring = 1; ring <= 2; ++ring)
@@ -180,7 +183,8 @@ bool BraidLayout::updateLabels(const Inputs& inputs)
     if (!m_islands || m_islands->skin() != inputs.roots.skin || m_islands->size() != inputs.braid->size())
         m_islands = std::make_shared<const SkinIslands>(inputs.roots.skin, inputs.braid->size());
     const bool isNew = !m_laced || m_laced->size() != inputs.braid->size();
-    auto laced = isNew ? std::make_shared<TiledRaster>(inputs.braid->size(), 1) : std::make_shared<TiledRaster>(*m_laced);
+    auto laced =
+        isNew ? std::make_shared<TiledRaster>(inputs.braid->size(), 1) : std::make_shared<TiledRaster>(*m_laced);
     const bool isSameSize = inputs.braid->size() == inputs.density->size();
     bool differs = isNew;
     for (int tile = 0; tile < laced->tileCount(); ++tile) {
@@ -243,38 +247,57 @@ void BraidLayout::plant(const Inputs& inputs, std::size_t begin, std::size_t end
         sample.assign(members.begin(), members.end());
     std::ranges::sort(sample, {}, [&](std::uint32_t slot) { return roots.rankOfSlot[slot]; });
     const auto first = m_braids.size();
-    for (const glm::vec3 middle : middlesOf(roots, sample, inputs.settings.braidSpacingM)) {
-        m_middlesHd.push_back(middle);
-        m_braids.push_back({.kind = static_cast<BraidKind>(inputs.kinds[members.front()])});
+    const auto painted = static_cast<BraidKind>(inputs.kinds[members.front()]);
+    if (painted == BraidKind::Cornrow) {
+        auto row = std::make_shared<const BraidRow>(rowAlong(roots, sample));
+        m_middlesHd.push_back(row->pointsHd.back());
+        m_braids.push_back({.kind = lacedKind(painted), .row = std::move(row)});
+    } else {
+        for (const glm::vec3 middle : middlesOf(roots, sample, inputs.settings.braidSpacingM)) {
+            m_middlesHd.push_back(middle);
+            m_braids.push_back({.kind = painted});
+        }
     }
-    // The hair nearest to the middle, and the nearest solved hair of those, if it is about there.
+    // The hair nearest to the middle, or the solved hair of the same cell that is nearest to that, if it is about
+    // there.
     constexpr float kAboutThere = 1.5F; // Of the solved hairs' spacing.
-    const float aboutM = kAboutThere * std::sqrt(static_cast<float>(roots.skin->areaM2()) /
-                                                 static_cast<float>(roots.basisSlot.size()));
-    const std::span<const glm::vec3> middles = std::span(m_middlesHd).subspan(first);
     constexpr float kFar = std::numeric_limits<float>::max();
+    const float aboutM =
+        kAboutThere * std::sqrt(static_cast<float>(roots.skin->areaM2()) / static_cast<float>(roots.basisSlot.size()));
+    const std::span<const glm::vec3> middles = std::span(m_middlesHd).subspan(first);
+    std::vector<std::size_t> cells;
     std::vector<float> nearest(middles.size(), kFar);
-    std::vector<float> nearestSolved(middles.size(), aboutM * aboutM);
-    for (std::size_t i = 0; i < middles.size(); ++i)
-        m_braids[first + i].basis = kNoCentre;
     for (const std::uint32_t slot : sample) {
-        const std::size_t cell = nearestOf(middles, roots.positionHd[slot]);
+        const std::size_t cell = cells.emplace_back(nearestOf(middles, roots.positionHd[slot]));
         const float squared = squaredDistance(middles[cell], roots.positionHd[slot]);
-        Braid& braid = m_braids[first + cell];
-        const std::uint32_t basis = roots.neighbours[slot][0];
-        if (roots.basisSlot[basis] == slot && squared < nearestSolved[cell]) {
-            nearestSolved[cell] = squared;
-            braid.basis = basis;
-            braid.root = slot;
-        }
-        if (braid.basis == kNoCentre && squared < nearest[cell]) {
+        if (squared < nearest[cell]) {
             nearest[cell] = squared;
-            braid.root = slot;
+            m_braids[first + cell].root = slot;
+            m_braids[first + cell].basis = kNoCentre;
         }
     }
+    std::vector<float> nearestSolved(middles.size(), aboutM * aboutM);
+    std::vector<std::uint32_t> solved(middles.size(), kNoCentre);
+    for (std::size_t i = 0; i < sample.size(); ++i) {
+        const std::uint32_t basis = roots.neighbours[sample[i]][0];
+        if (roots.basisSlot[basis] != sample[i])
+            continue;
+        const std::size_t cell = cells[i];
+        const float squared =
+            squaredDistance(roots.positionHd[m_braids[first + cell].root], roots.positionHd[sample[i]]);
+        if (squared < nearestSolved[cell]) {
+            nearestSolved[cell] = squared;
+            solved[cell] = basis;
+        }
+    }
+    for (std::size_t i = 0; i < middles.size(); ++i)
+        if (solved[i] != kNoCentre) {
+            m_braids[first + i].basis = solved[i];
+            m_braids[first + i].root = roots.basisSlot[solved[i]];
+        }
     // A cell without a hair in the sample: its braid would have none.
     for (std::size_t i = middles.size(); i-- > 0;)
-        if (nearest[i] == kFar && m_braids[first + i].basis == kNoCentre) {
+        if (nearest[i] == kFar) {
             m_braids.erase(m_braids.begin() + static_cast<std::ptrdiff_t>(first + i));
             m_middlesHd.erase(m_middlesHd.begin() + static_cast<std::ptrdiff_t>(first + i));
         }
@@ -347,6 +370,8 @@ void BraidLayout::measure(const Inputs& inputs)
                   : std::max(lengthOf(inputs.settings, inputs.length.scalar(inputs.roots.uv[braid.root])), kShortestM);
         braid.radiusM = std::min(braidRadiusM(inputs.settings, braid.lengthM),
                                  filledRadiusM(inputs.settings, braid.kind, m_hairCount[i]));
+        if (braid.row)
+            braid.radiusM = std::min(braid.radiusM, kMostCornrowM);
     }
 }
 

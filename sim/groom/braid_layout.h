@@ -1,6 +1,7 @@
 // Where braids grow: on each painted patch one or several, their roots, and the braid that each hair belongs to.
 #pragma once
 
+#include "sim/groom/braid_row.h"
 #include "sim/groom/groom.h"
 #include "sim/groom/map_sampler.h"
 #include "sim/groom/patch_labels.h"
@@ -15,17 +16,22 @@ namespace hairpaint::sim {
 
 struct Braid
 {
-    std::uint32_t root = 0;  ///< The slot on which it stands: a hair of its patch.
-    std::uint32_t basis = 0; ///< The solved hair that it follows: its root's own, or one nearby.
-    BraidKind kind = BraidKind::None;
-    float lengthM = 0.0F;
-    float radiusM = 0.0F; ///< r of equation 3: the group's, but no more than its length and its hairs fill.
-    friend bool operator==(const Braid&, const Braid&) = default;
+    std::uint32_t root = 0;           ///< The slot on which it stands: a hair of its patch.
+    std::uint32_t basis = 0;          ///< The solved hair that it follows: its root's own, or one nearby.
+    BraidKind kind = BraidKind::None; ///< What is laced: see lacedKind().
+    float lengthM = 0.0F;             ///< Of a cornrow from its end on.
+    float radiusM = 0.0F;             ///< r of equation 3: the group's, but no more than its length and its hairs fill.
+    std::shared_ptr<const BraidRow> row = nullptr; ///< Of a cornrow, which stands on the hair at its end; else null.
+    friend bool operator==(const Braid& a, const Braid& b)
+    {
+        return a.root == b.root && a.basis == b.basis && a.kind == b.kind && a.lengthM == b.lengthM &&
+               a.radiusM == b.radiusM && (a.row == b.row || (a.row && b.row && *a.row == *b.row));
+    }
 };
 
 /// Touching texels of one kind on which hair grows are a patch, also across seams; so bare or unpainted skin is a
-/// parting. A patch has braids at least the group's spacing apart, then moved to the middle of the hairs that are
-/// nearest to them. All its hairs belong to the nearest of them. One thread at a time.
+/// parting. A patch of cornrow is one, along it. Another has braids at least the group's spacing apart, then moved to
+/// the middle of the hairs that are nearest to them. All its hairs belong to the nearest of them. One thread at a time.
 class BraidLayout
 {
 public:
@@ -69,10 +75,10 @@ private:
     std::vector<std::uint32_t> m_braidOfSlot; ///< [slots] kNoCentre: none; empty where there is no braid.
     std::vector<std::uint32_t> m_hairCount;   ///< Of each braid.
     // While laying out:
-    std::vector<std::uint32_t> m_members;       ///< Slots, patch by patch.
-    std::vector<std::uint32_t> m_firstMember;   ///< [patches + 1]
-    std::vector<std::uint32_t> m_firstBraid;    ///< [patches + 1]
-    std::vector<glm::vec3> m_middlesHd;         ///< Of each braid's hairs.
+    std::vector<std::uint32_t> m_members;     ///< Slots, patch by patch.
+    std::vector<std::uint32_t> m_firstMember; ///< [patches + 1]
+    std::vector<std::uint32_t> m_firstBraid;  ///< [patches + 1]
+    std::vector<glm::vec3> m_middlesHd;       ///< Of each braid's hairs.
 };
 
 } // namespace hairpaint::sim

@@ -104,8 +104,7 @@ float astray(const GroupSettings& settings, const StrandStyle& style)
     constexpr float kPerMetre = 15.0F;
     constexpr float kLoose = 0.06F;
     constexpr float kFurthest = 0.6F;
-    const float fraction =
-        style.frizzM * kPerMetre + std::max(1.0F - 2.0F * settings.braidTightness, 0.0F) * kLoose;
+    const float fraction = style.frizzM * kPerMetre + std::max(1.0F - 2.0F * settings.braidTightness, 0.0F) * kLoose;
     const float chance = style.variation * 57.3F;
     const float own = chance - std::floor(chance);
     return own < fraction ? 1.0F + kFurthest * own / fraction : 1.0F;
@@ -139,6 +138,22 @@ float braidRest(const RootFrame& root, const RootFrame& centre, float aboveM, fl
     for (std::size_t node = gathered; node < nodesHd.size(); ++node)
         nodesHd[node] = centre.positionHd + centre.normalHd * (aboveM + segmentM * static_cast<float>(node - gathered));
     return scalpM;
+}
+
+CornrowJoin cornrowRest(glm::vec3 rootHd, const BraidRow& row, float radiusM, float tailM, std::span<glm::vec3> nodesHd)
+{
+    constexpr float kJoinsOnM = 0.006F;
+    CornrowJoin join;
+    join.beforeM = std::min(alongRowM(row, rootHd) + kJoinsOnM, row.lengthM);
+    join.lengthM = row.lengthM - join.beforeM + tailM;
+    const auto spans = static_cast<float>(nodesHd.size() - 2);
+    nodesHd[0] = rootHd;
+    for (std::size_t node = 1; node < nodesHd.size(); ++node)
+        nodesHd[node] = onRow(row, join.beforeM + join.lengthM * static_cast<float>(node - 1) / spans,
+                              kCornrowAboveRadii * radiusM);
+    join.scalpM = lengthOf(nodesHd[1] - rootHd);
+    join.end = (1.0F + spans * (row.lengthM - join.beforeM) / join.lengthM) / (spans + 1.0F);
+    return join;
 }
 
 std::uint32_t wispCount(BraidKind kind)
@@ -181,8 +196,8 @@ void applyBraid(const GroupSettings& settings, BraidKind kind, const WispChance&
     style.braidRadiusM = measures.radiusM;
     style.braidStart =
         static_cast<float>(gatheringNode(settings.nodesPerHair)) / static_cast<float>(settings.nodesPerHair - 1);
-    style.braidTurns = measures.lengthM /
-                       (kPitchRadii * pitchOf(kind) * settings.braidKnot * std::max(measures.radiusM, 1e-4F));
+    style.braidTurns =
+        measures.lengthM / (kPitchRadii * pitchOf(kind) * settings.braidKnot * std::max(measures.radiusM, 1e-4F));
     placeInWisp(settings, chance, style);
     style.braidTaper = in255ths(settings.braidTaper);
     style.braidTied = in255ths(settings.braidTie);

@@ -1,6 +1,7 @@
 // The rest shape of a braided hair: over the scalp to its braid's centre, then along the centre's skeleton.
 #pragma once
 
+#include "sim/groom/braid_row.h"
 #include "sim/groom/rest_shape.h"
 #include "sim/groom/strand_style.h"
 
@@ -16,6 +17,20 @@ namespace hairpaint::sim {
 /// along `centreLengthM` of its normal. Returns the length of the part on the scalp, m.
 [[nodiscard]] float braidRest(const RootFrame& root, const RootFrame& centre, float aboveM, float centreLengthM,
                               std::span<glm::vec3> nodesHd);
+
+/// The same of a hair of a cornrow: it joins that a little further on, and then keeps over the skin to its end and
+/// straight on.
+struct CornrowJoin
+{
+    float scalpM = 0.0F;  ///< To where it joins,
+    float beforeM = 0.0F; ///< of the row before that,
+    float lengthM = 0.0F; ///< and from there to the tip.
+    float end = 0.0F;     ///< Fraction of the skeleton at the row's end.
+};
+/// How far over the skin the middle of a cornrow runs, in its radii: its wisps reach 1.6 up and down.
+inline constexpr float kCornrowAboveRadii = 1.2F;
+[[nodiscard]] CornrowJoin cornrowRest(glm::vec3 rootHd, const BraidRow& row, float radiusM, float tailM,
+                                      std::span<glm::vec3> nodesHd);
 
 /// Of a kind: see BraidLacing.
 [[nodiscard]] std::uint32_t wispCount(BraidKind kind);

@@ -166,9 +166,8 @@ float alongRowM(const BraidRow& row, glm::vec3 positionHd)
     float alongM = 0.0F;
     for (std::size_t i = 0; i + 1 < row.pointsHd.size(); ++i) {
         const glm::vec3 onward = row.pointsHd[i + 1] - row.pointsHd[i];
-        const float t = std::clamp(glm::dot(positionHd - row.pointsHd[i], onward) /
-                                       std::max(glm::dot(onward, onward), 1e-12F),
-                                   0.0F, 1.0F);
+        const float t = std::clamp(
+            glm::dot(positionHd - row.pointsHd[i], onward) / std::max(glm::dot(onward, onward), 1e-12F), 0.0F, 1.0F);
         const glm::vec3 away = row.pointsHd[i] + onward * t - positionHd;
         if (glm::dot(away, away) < nearest) {
             nearest = glm::dot(away, away);
@@ -185,8 +184,8 @@ glm::vec3 onRow(const BraidRow& row, float alongM, float aboveM)
     const std::size_t i = std::min(static_cast<std::size_t>(at), last - 1);
     const float t = at - static_cast<float>(i);
     const float within = std::min(t, 1.0F); // Beyond its end the normal turns no further.
-    const glm::vec3 normal = unitVectorOr(
-        row.normalsHd[i] + (row.normalsHd[i + 1] - row.normalsHd[i]) * within, row.normalsHd[i]);
+    const glm::vec3 normal =
+        unitVectorOr(row.normalsHd[i] + (row.normalsHd[i + 1] - row.normalsHd[i]) * within, row.normalsHd[i]);
     return row.pointsHd[i] + (row.pointsHd[i + 1] - row.pointsHd[i]) * t + normal * aboveM;
 }
 

@@ -173,8 +173,31 @@ private:
                                seenOverCut(m_inputs.settings, values.curl, values.curlSize));
     }
 
+    void joinRow(std::uint32_t slot, StrandStyle style, const Braid& braid)
+    {
+        const RootSet& roots = m_inputs.roots;
+        const CornrowJoin join = cornrowRest(roots.positionHd[slot], *braid.row, braid.radiusM, braid.lengthM,
+                                             std::span(m_buffer).first(m_nodes));
+        applyBraid(m_inputs.settings, braid.kind, wispChanceOf(roots.seed, roots.rankOfSlot[slot]),
+                   {.scalpM = join.scalpM, .lengthM = join.lengthM, .radiusM = braid.radiusM}, style);
+        style.braidStart = 1.0F / static_cast<float>(m_nodes - 1);
+        style.phase = join.beforeM * style.braidTurns / join.lengthM;
+        m_passed.put(slot, {});
+        store(slot, style, {.centre = braid.basis, .leader = roots.neighbours[slot][0]});
+        storeBuffer(slot);
+        if (m_chunk.cornrows.empty())
+            m_chunk.cornrows.resize(kChunkSlots);
+        m_chunk.cornrows[slot - m_firstSlot] = {
+            .end = join.end,
+            .tailM = braid.lengthM,
+            .endHd = onRow(*braid.row, braid.row->lengthM, kCornrowAboveRadii * braid.radiusM),
+            .sideHd = braid.row->sideHd};
+    }
+
     void joinBraid(std::uint32_t slot, StrandStyle style, const Braid& braid)
     {
+        if (braid.row)
+            return joinRow(slot, style, braid);
         const RootSet& roots = m_inputs.roots;
         const float scalpM =
             braidRest(rootFrame(roots, slot), rootFrame(roots, braid.root),
@@ -268,6 +291,8 @@ private:
         m_chunk.tailed.reset(local);
         if (!m_chunk.followed.empty())
             m_chunk.followed[local] = {};
+        if (!m_chunk.cornrows.empty())
+            m_chunk.cornrows[local] = {};
         m_chunk.drawn.set(local, style.lengthM >= kShortestDrawnM);
         m_chunk.styles[local] = style;
         m_chunk.clump[local] = followed.clump;
@@ -392,6 +417,8 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
     findLeastDetails(*chunk);
     if (chunk->gathered.none())
         chunk->followed.clear();
+    if (std::ranges::all_of(chunk->cornrows, [](const CornrowHair& hair) { return hair == CornrowHair{}; }))
+        chunk->cornrows.clear();
     return chunk;
 }
 

@@ -29,8 +29,8 @@ inline constexpr float kSwitchFactor = 2.39F;
 /// they come to it over the span before, since so many hairs never pass through one point.
 inline constexpr float kBraidEaseTurns = 0.5F;
 inline constexpr float kBraidFirstFraction = 0.25F;
-/// A plait of three: a wisp's radius in units of r. The middles of its wisps come as near as 1.13 r to each other and the
-/// nearest of them is never further than 1.26 r, so wisps touch everywhere and none is in another.
+/// A plait of three: a wisp's radius in units of r. The middles of its wisps come as near as 1.13 r to each other and
+/// the nearest of them is never further than 1.26 r, so wisps touch everywhere and none is in another.
 inline constexpr float kWispRadiusFraction = 0.62F;
 /// The wisps of a twist run round its middle at this distance and have this radius, in units of r; a loc is one wisp.
 inline constexpr float kTwistFraction = 0.6F;

@@ -199,7 +199,8 @@ CURVE_FUNCTION Lacing lacingOf(Num kind)
 struct BraidedHair
 {
     Num radiusM; // r
-    Num turns;
+    Num turns;        // From where the hair joins it to its end,
+    Num begun;        // and before that.
     Num wispX, wispY; // The hair's position in its wisp, in units of the wisp's radius.
     Num chance;       // -1..1, the hair's own: where it ends in the tuft.
     Num taper;        // 0..1: fraction by which r is smaller at the end.
@@ -271,10 +272,15 @@ CURVE_FUNCTION WispPath wispPath(Lacing lacing, Num angle)
     return path;
 }
 
-// At a fraction q of a braid of so many metres, of one of its wisps, from the strand's axis: along the frame's first
+// At a fraction q of the hair's part of a braid, of so many metres, of one of its wisps, from the strand's axis: along the frame's first
 // axis, the strand, and the third.
 CURVE_FUNCTION Vec3 braidedOffset(BraidedHair hair, Num kind, Num wisp, Num q, Num braidM)
 {
+    // Of the whole braid.
+    Num whole = hair.turns + hair.begun;
+    q = q + (1.0F - q) * hair.begun / most(whole, Num(1e-3F));
+    braidM = braidM * (1.0F + hair.begun / most(hair.turns, Num(1e-3F)));
+    hair.turns = whole;
     Lacing lacing = lacingOf(kind);
     BraidGirth girth = braidGirth(hair, lacing, q);
     Num turned = hair.turns * q * kFullTurn;

@@ -31,7 +31,7 @@ void GatheredWriter::write(std::uint32_t slot, const RootChance& chance, const R
     const Gathering& gathering = m_inputs.gathering;
     const Gathering::TieState& tie = gathering.tieOf(gathering.numberOf(slot));
     const bool isBun = tie.tie.form == TieForm::Bun;
-    const BraidKind kind = isBun ? BraidKind::Twist : static_cast<BraidKind>(m_inputs.kinds[slot]);
+    const BraidKind kind = isBun ? BraidKind::Twist : lacedKind(static_cast<BraidKind>(m_inputs.kinds[slot]));
     const bool isAlongCore = kind != BraidKind::None && tie.core != kNoCentre;
     const GatheredLay::Course course =
         tie.lay.courseOf(roots.face[slot], roots.positionHd[slot], chance.coatHeight, isAlongCore);
@@ -172,6 +172,8 @@ void GatheredWriter::store(const Waiting& hair, std::uint32_t centre, bool isTai
     if (!m_inputs.locks.isOfBasis())
         m_chunk.lockLeader[local] = m_inputs.roots.neighbours[hair.slot][0];
     m_chunk.segmentLengths[local] = 0.0F;
+    if (!m_chunk.cornrows.empty())
+        m_chunk.cornrows[local] = {};
     if (m_chunk.followed.empty())
         m_chunk.followed.resize(kChunkSlots);
     m_chunk.followed[local] = isTailed ? hair.followed : Followed{};

@@ -342,7 +342,9 @@ void Gathering::updateBasis(const BasisInputs& inputs, const SlotSet& dirtyBasis
             (*next)[BasisQuantity::Gel][basis] = inputs.maps[MapSlot::Gel].scalar(roots.uv[slot]);
             (*next)[BasisQuantity::Give][basis] = values.curl > 0.0F ? giveOf(coil, freeM) : 0.0F;
             (*next)[BasisQuantity::Girth][basis] =
-                isCore ? braidGirthM(static_cast<BraidKind>(inputs.kinds[slot]), braidRadiusM(inputs.settings, freeM)) : 0.0F;
+                isCore ? braidGirthM(lacedKind(static_cast<BraidKind>(inputs.kinds[slot])),
+                                     braidRadiusM(inputs.settings, freeM))
+                       : 0.0F;
             (*next)[BasisQuantity::Height][basis] = chance.coatHeight;
             if (isCore)
                 tie.coreFreeM = freeM;

@@ -23,9 +23,14 @@ enum class BraidKind : std::uint8_t
     Loc = 3,
     PlaitOfFour = 4,
     PlaitOfFive = 5,
-    Fishtail = 6
+    Fishtail = 6,
+    Cornrow = 7 ///< Of the braid map: a plait along the skin. Styles have what is laced, a plait.
 };
-inline constexpr BraidKind kLastBraidKind = BraidKind::Fishtail;
+inline constexpr BraidKind kLastBraidKind = BraidKind::Cornrow;
+[[nodiscard]] constexpr BraidKind lacedKind(BraidKind painted)
+{
+    return painted == BraidKind::Cornrow ? BraidKind::Plait : painted;
+}
 
 /// What a strand looks like. Rendering packs it for the GPU (view/rendering/gl/packed_style.h).
 struct StrandStyle
@@ -33,7 +38,7 @@ struct StrandStyle
     float lengthM = 0.0F; ///< The skeleton's; a braided hair's is that of its path over the scalp and its braid.
     float turns = 0.0F;   ///< Of equation 1 over the whole hair.
     float curlRadiusM = 0.0F;
-    float phase = 0.0F;           ///< t at the root, rad.
+    float phase = 0.0F;           ///< t at the root, rad. Of a hair that joins a cornrow: its turns up to there.
     std::uint32_t rootColour = 0; ///< 0xAABBGGRR, sRGB as encoded.
     std::uint32_t tipColour = 0;
     float width = 1.0F;  ///< Diameter as a multiple of the material's.
@@ -49,7 +54,7 @@ struct StrandStyle
     BraidKind braid = BraidKind::None;
     std::uint8_t wisp = 0;                                        ///< See wispNumber(); and kTautBit.
     std::uint16_t gloss = ruleOf(MapSlot::Gloss).defaultValue[0]; ///< The gloss map's: 65535 is 1.
-    float frizzM = 0.0F; ///< How far it strays from its course at the tip, at most; a short one less.
+    float frizzM = 0.0F;           ///< How far it strays from its course at the tip, at most; a short one less.
     std::uint16_t braidTaper = 0;  ///< 0..255: GroupSettings::braidTaper in 255ths,
     std::uint16_t braidTied = 255; ///< and braidTie.
 
@@ -65,6 +70,16 @@ struct Followed
     std::array<std::uint32_t, RootSet::kNeighbours> basis{};
     std::array<float, RootSet::kNeighbours> weights{}; ///< Sum to 1; all 0 where there is none to follow.
     friend bool operator==(const Followed&, const Followed&) = default;
+};
+
+/// What the hair of a cornrow has beside its style.
+struct CornrowHair
+{
+    float end = 0.0F;       ///< Fraction of its skeleton at which it leaves the skin; 0: in no cornrow.
+    float tailM = 0.0F;     ///< Its braid's length from there on.
+    glm::vec3 endHd{0.0F};  ///< Where that is.
+    glm::vec3 sideHd{0.0F}; ///< Unit: across the row, along the skin.
+    friend bool operator==(const CornrowHair&, const CornrowHair&) = default;
 };
 
 /// 1024 slots. Hd, m.
@@ -86,6 +101,7 @@ struct StrandChunk
     std::array<float, kBlocksPerChunk> leastDetail{};
     std::bitset<kChunkSlots> gathered; ///< Those that lie taut to a tie: their segmentLengths are 0,
     std::bitset<kChunkSlots> tailed;   ///< and of them those whose nodes from the ring on are moved, see Groom::tails.
+    std::vector<CornrowHair> cornrows; ///< [kChunkSlots]; empty where none is in one.
     /// [kChunkSlots] whom each follows, where not the basis hairs that are nearest on the skin; else empty.
     std::vector<Followed> followed;
 };

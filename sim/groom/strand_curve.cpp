@@ -137,12 +137,14 @@ glm::vec3 braidedOffset(const StrandStyle& style, float q, float lengthM)
     constexpr float kWhole = 255.0F;
     return of_floats::braidedOffset({.radiusM = style.braidRadiusM,
                                      .turns = style.braidTurns,
+                                     .begun = style.phase,
                                      .wispX = style.wispOffset.x,
                                      .wispY = style.wispOffset.y,
                                      .chance = style.variation,
                                      .taper = static_cast<float>(style.braidTaper) / kWhole,
                                      .tied = static_cast<float>(style.braidTied) / kWhole},
-                                    static_cast<float>(style.braid), static_cast<float>(style.wispNumber()), q, lengthM);
+                                    static_cast<float>(style.braid), static_cast<float>(style.wispNumber()), q,
+                                    lengthM);
 }
 
 } // namespace
@@ -179,7 +181,8 @@ BraidLacing lacingOf(BraidKind kind)
 
 glm::vec3 braidOffset(float t, float w)
 {
-    const of_floats::WispPath path = of_floats::wispPath(of_floats::lacingOf(static_cast<float>(BraidKind::Plait)), t + w);
+    const of_floats::WispPath path =
+        of_floats::wispPath(of_floats::lacingOf(static_cast<float>(BraidKind::Plait)), t + w);
     return {path.x, 0.0F, path.z};
 }
 
@@ -214,6 +217,8 @@ glm::vec3 frameTangentHd(const Groom& groom, std::uint32_t slot)
     const RootSet& roots = *groom.roots;
     const auto& chunk = groom.chunks[chunkOf(slot)];
     const std::uint32_t centre = chunk ? chunk->braidCentre[inChunk(slot)] : kNoCentre;
+    if (chunk && !chunk->cornrows.empty() && chunk->cornrows[inChunk(slot)].end > 0.0F)
+        return chunk->cornrows[inChunk(slot)].sideHd;
     if (coilsOf(groom.settings) != nullptr && chunk && centre == kNoCentre) {
         // An S lies on the skin beside the hair, and neighbours' frames are turned alike whatever the map's uv.
         const StrandBlocks layout = groom.blocks();

@@ -408,16 +408,21 @@ void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const Rigi
         // It stands beside the root of the strand that it follows, if that is borrowed, and above it.
         constexpr float kRisesOver = 2.0F; // Segments of the strand.
         const auto begin = static_cast<std::size_t>(gathered);
-        const glm::vec3 beside = rest[begin] - centre[0];
+        // A cornrow keeps to the skin up to its end, and its tail follows the strand from there.
+        const CornrowHair row = chunk.styles->cornrows.empty() ? CornrowHair{} : chunk.styles->cornrows[slot];
+        const bool isRow = row.end > 0.0F;
+        const float leaves = isRow ? row.end * static_cast<float>(last) : static_cast<float>(gathered);
+        const glm::vec3 beside = (isRow ? row.endHd : rest[begin]) - centre[0];
         const glm::vec3 normal = groom.roots->normalHd[groom.roots->basisSlot[basisIndex]];
         const glm::vec3 above = normal * glm::dot(beside, normal);
-        const float restM = glm::length(rest[static_cast<std::size_t>(last)] - rest[begin]);
+        const float restM = isRow ? row.tailM : glm::length(rest[static_cast<std::size_t>(last)] - rest[begin]);
         const float longer = std::abs(restM - length) < kSameLengthM ? 1.0F : restM / length;
         float* at = out + groom.blocks().index(slot, 0);
         for (int i = 0; i <= last; ++i, at += StrandBlocks::kNodeStride) {
             glm::vec3 p = rest[static_cast<std::size_t>(i)];
-            if (i > gathered) {
-                const float along = static_cast<float>((i - gathered) * last) / static_cast<float>(last - gathered);
+            if (static_cast<float>(i) > leaves) {
+                const auto behind = static_cast<float>(last) - leaves;
+                const float along = (static_cast<float>(i) - leaves) * static_cast<float>(last) / behind;
                 const auto segment = static_cast<std::size_t>(std::min(static_cast<int>(along), last - 1));
                 p = between(std::span(centre).first(nodes), segment, along - static_cast<float>(segment));
                 if (longer != 1.0F)

@@ -48,6 +48,8 @@ inline const char* differenceOf(const sim::Groom& a, const sim::Groom& b)
             return "rest shapes";
         if (!sameBytes(x.braidCentre, y.braidCentre))
             return "braid centres";
+        if (!sameBytes(x.cornrows, y.cornrows))
+            return "cornrows";
         if (!sameBytes(x.lockLeader, y.lockLeader) || !sameBytes(x.clump, y.clump))
             return "locks";
         if (x.gathered != y.gathered || x.tailed != y.tailed || !sameBytes(x.followed, y.followed))

@@ -361,8 +361,8 @@ void TestBraids::aBraidOfFewHairsIsThin()
     const float radiusM = groom->style(slots.front()).braidRadiusM;
     // Seen across a wisp lie about two hairs' widths of hair.
     const auto wisp = static_cast<float>(slots.size()) / 3.0F;
-    const float across = wisp * input.groups[0].settings.material.widthM * 2.0F /
-                         (3.14159F * radiusM * kWispRadiusFraction);
+    const float across =
+        wisp * input.groups[0].settings.material.widthM * 2.0F / (3.14159F * radiusM * kWispRadiusFraction);
     QVERIFY2(radiusM < 0.005F, qPrintable(QString::number(radiusM)));
     QVERIFY2(across > 1.5F && across < 3.0F, qPrintable(QString::number(across)));
 }

@@ -46,8 +46,8 @@ GroomInput braidedBall(BraidKind kind, float spacingM, float radiusM)
 {
     GroomInput input = paintedBall(6000, 400);
     GroomInput::Group& group = input.groups.front();
-    group.settings.greatestLengthM = 0.5F;
-    group.settings.nodesPerHair = 16;
+    group.settings.greatestLengthM = 0.35F;
+    group.settings.nodesPerHair = 16; // 2.3 cm apart: contact is felt at them.
     group.settings.braidSpacingM = spacingM;
     group.settings.braidRadiusM = radiusM;
     group.settings.material.widthM = 1e-3F; // So few hairs fill a braid.

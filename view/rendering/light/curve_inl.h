@@ -58,6 +58,7 @@ HWY_INLINE Triple<Lanes> braidedOffset(const StrandBlock& block, std::size_t lan
 {
     return of_lanes::braidedOffset({.radiusM = loaded(block.braidRadiusM.data() + lane),
                                     .turns = loaded(block.braidTurns.data() + lane),
+                                    .begun = loaded(block.phase.data() + lane),
                                     .wispX = loaded(block.wispX.data() + lane),
                                     .wispY = loaded(block.wispY.data() + lane),
                                     .chance = loaded(block.variation.data() + lane),
