@@ -45,7 +45,8 @@ struct StrandStyle
     BraidKind braid = BraidKind::None;
     std::uint8_t wisp = 0;                                        ///< 0..2, see wispNumber(); and kTautBit.
     std::uint16_t gloss = ruleOf(MapSlot::Gloss).defaultValue[0]; ///< The gloss map's: 65535 is 1.
-    float frizzM = 0.0F; ///< How far it strays from its course at the tip, at most; a short one less.
+    float frizzM = 0.0F;   ///< How far it strays from its course at the tip, at most; a short one less.
+    float tipStart = 0.0F; ///< The tip start map's; 0 where the tip has the root's colour.
 
     static constexpr std::uint8_t kTautBit = 0x80;
     [[nodiscard]] std::uint8_t wispNumber() const { return wisp & 3U; }
