@@ -2306,6 +2306,10 @@
 <context>
     <name>MapLetter</name>
     <message>
+        <source>P</source>
+        <translation>N</translation>
+    </message>
+    <message>
         <source>D</source>
         <translation>D</translation>
     </message>
@@ -2470,6 +2474,10 @@
     <message>
         <source>Gloss</source>
         <translation>Lustre</translation>
+    </message>
+    <message>
+        <source>Tip start</source>
+        <translation>Inicio de puntas</translation>
     </message>
     <message>
         <source>Ponytail</source>

@@ -243,7 +243,7 @@ glm::vec3 CurveSet::linearColour(const Curve& curve, float fraction) const
 {
     const sim::StrandStyle& style = groom(curve).style(curve.slot);
     const std::array<float, kChannelValues>& linear = linearValues();
-    const float tip = sim::tipMixOf(material(curve)).at(fraction);
+    const float tip = sim::tipMixOf(material(curve), style.tipStart).at(fraction);
     const auto channel = [&](unsigned shift) {
         return glm::mix(linear[(style.rootColour >> shift) & kChannelMask],
                         linear[(style.tipColour >> shift) & kChannelMask], tip);

@@ -149,6 +149,14 @@ std::array<MapSpec, kMapKindCount> makeTable()
                 .scale = &kPercentScale,
                 .scaleColour = 0xFFFF0080, // Rose.
                 .blendModes = kBlendable},
+        MapSpec{.kind = MapKind::TipStart,
+                .id = "tip_start",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Tip start"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "P"),
+                .scale = &kPercentScale,
+                .scaleColour = 0xFF0080FF, // Azure.
+                .blendModes = kBlendable,
+                .firstPaint = {.scalar = 0.5F}},
         MapSpec{.kind = MapKind::Accessory,
                 .id = "accessory",
                 .title = QT_TRANSLATE_NOOP("MapSpec", "Accessories"),

@@ -19,7 +19,7 @@ namespace {
 
 constexpr QLatin1StringView kScalp("Scalp"); ///< A HairKind's name.
 
-constexpr std::array kColourMaps{MapKind::Colour, MapKind::TipColour};
+constexpr std::array kColourMaps{MapKind::Colour, MapKind::TipColour, MapKind::TipStart};
 constexpr std::array kColourSettings{"material.colour_variation", "variation.grey", "material.tip_from",
                                      "material.tip_over"};
 constexpr std::array kCutMaps{MapKind::Density, MapKind::Length};

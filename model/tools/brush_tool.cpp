@@ -5,6 +5,7 @@
 #include "model/tools/mirror.h"
 #include "model/tools/picker_tool.h"
 #include "model/tools/root_dabs.h"
+#include "model/tools/tip_starts.h"
 #include "model/tools/tool_list.h"
 
 #include <algorithm>
@@ -77,6 +78,7 @@ private:
     std::optional<StrokeBuffer> m_buffer;
     std::optional<BrushPath> m_path;
     std::optional<RootDabs> m_roots; ///< Where the stroke goes over hair.
+    std::optional<TipStarts> m_tips;
     std::optional<ToolEvent> m_last; ///< Where the next straight line starts; kept between strokes.
     TilePaint m_paint;
 };
@@ -92,6 +94,7 @@ void BrushTool::press(const ToolEvent& event, ToolContext& context)
     m_path.emplace(head != nullptr ? head->skin.get() : nullptr, context.settings.brushSizeM * kSpacing,
                    kLeastStepTx / static_cast<float>(m_edit.size()));
     m_roots.emplace(context, m_edit.size());
+    m_tips = TipStarts::in(m_edit, context);
     m_paint = {.value = context.settings.value(context.target.map).texel(m_edit.spec()),
                .opacity = unit16(context.settings.opacity),
                .erase = m_erases};
@@ -126,6 +129,7 @@ void BrushTool::cancel(ToolContext& /*context*/)
     m_buffer.reset();
     m_path.reset();
     m_roots.reset();
+    m_tips.reset();
 }
 
 void BrushTool::commit(ToolContext& /*context*/)
@@ -134,6 +138,7 @@ void BrushTool::commit(ToolContext& /*context*/)
     m_buffer.reset();
     m_path.reset();
     m_roots.reset();
+    m_tips.reset();
 }
 
 void BrushTool::paintTo(const ToolEvent& event, ToolContext& context)
@@ -157,12 +162,15 @@ void BrushTool::paintOnHair(const ToolEvent& event, const ToolContext& context)
     const bool fades = settings.pressureOpacity && texelOps(m_edit.spec()).continuous;
     const RootDabs::Shape shape{.sizeM = settings.brushSizeM * (settings.pressureSize ? pressure : 1.0F),
                                 .hardness = texelOps(m_edit.spec()).continuous ? settings.hardness : 1.0F,
-                                .strength = fades ? pressure : 1.0F};
+                                .strength = fades ? pressure : 1.0F,
+                                .fractions = m_tips.has_value()};
     const Head* head = context.document.project().head.get();
     for (const RootDab& one : m_roots->moveTo(*event.hair, context, shape, true)) {
         add(one.dab, m_paint.value);
         if (one.twin)
             add(*one.twin, mirroredValue(m_edit.spec(), m_paint.value, head, one.root));
+        if (m_tips)
+            m_tips->add(m_edit, one);
     }
 }
 
@@ -207,6 +215,8 @@ void BrushTool::show()
         paint.values = m_buffer->values(index);
         return paintTile(m_edit.spec(), before, *m_buffer->mask(index), paint);
     });
+    if (m_tips && active())
+        m_tips->show(m_edit, m_erases);
 }
 
 } // namespace

@@ -86,4 +86,15 @@ Dab mirroredInU(Dab dab, int mapSize)
     return dab;
 }
 
+Dab onMapOf(Dab dab, int from, int to)
+{
+    const float scale = static_cast<float>(to) / static_cast<float>(from);
+    dab.xTx *= scale;
+    dab.yTx *= scale;
+    dab.a /= scale * scale;
+    dab.b /= scale * scale;
+    dab.c /= scale * scale;
+    return dab;
+}
+
 } // namespace hairpaint::model

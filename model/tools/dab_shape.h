@@ -24,5 +24,7 @@ struct SkinMetric
 
 /// The dab reflected at u = 1/2, to the bit.
 [[nodiscard]] Dab mirroredInU(Dab dab, int mapSize);
+/// The same disc on a map of another size.
+[[nodiscard]] Dab onMapOf(Dab dab, int from, int to);
 
 } // namespace hairpaint::model

@@ -18,18 +18,6 @@ constexpr float kPuffGel = 0.15F;     ///< What keeps it up.
 constexpr float kGatherLean = 0.6F;   ///< How far hair at the rim leans over, flat hair being 1.
 constexpr std::uint16_t kUnknown = 1; ///< A mean that was not asked for yet. Means are never so.
 
-/// The same disc on a map of another size.
-Dab onMapOf(Dab dab, int from, int to)
-{
-    const float scale = static_cast<float>(to) / static_cast<float>(from);
-    dab.xTx *= scale;
-    dab.yTx *= scale;
-    dab.a /= scale * scale;
-    dab.b /= scale * scale;
-    dab.c /= scale * scale;
-    return dab;
-}
-
 glm::vec2 centreUv(int x, int y, int size)
 {
     const glm::vec2 position = (glm::vec2(x, y) + 0.5F) / static_cast<float>(size);

@@ -50,18 +50,25 @@ std::vector<RootDab> RootDabs::moveTo(const OverHair& hair, const ToolContext& c
     if (context.seen == nullptr || context.seen->hair() == nullptr || head == nullptr || head->skin == nullptr)
         return {};
     const float detail = context.seen->hair()->detail;
+    if (shape.fractions)
+        m_fractions.resize(m_strengths.size(), 1.0F);
     std::vector<RootDab> dabs;
     for (const SeenStrand& strand : context.seen->passed(from, hair.position, 0.5 * shape.sizeM * hair.pxPerM)) {
         const float strength = shape.strength * strengthAt(strand.apart, shape.hardness);
-        if (strength <= 0.0F || strand.slot >= m_strengths.size() ||
-            (onlyStronger && strength <= m_strengths[strand.slot]))
+        if (strength <= 0.0F || strand.slot >= m_strengths.size())
+            continue;
+        const bool isNearer = shape.fractions && strand.firstFraction < m_fractions[strand.slot];
+        if (onlyStronger && strength <= m_strengths[strand.slot] && !isNearer)
             continue;
         m_strengths[strand.slot] = std::max(m_strengths[strand.slot], strength);
+        if (isNearer)
+            m_fractions[strand.slot] = strand.firstFraction;
         const float radiusM = std::min(kRadiusOfSpacing * spacingM(strand.root.uv, detail), kWidestM);
         RootDab& one =
             dabs.emplace_back(RootDab{.dab = dabAt(SkinMetric::at(strand.root), strand.root.uv, radiusM, m_mapSize),
                                       .root = strand.root,
-                                      .seenHd = strand.positionHd});
+                                      .seenHd = strand.positionHd,
+                                      .fraction = shape.fractions ? m_fractions[strand.slot] : strand.firstFraction});
         one.dab.strength = strength;
         if (!context.mirror)
             continue;

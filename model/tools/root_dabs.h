@@ -17,6 +17,7 @@ struct RootDab
     Dab dab;
     sim::SurfacePoint root;
     glm::vec3 seenHd{0.0F}; ///< Where the brush met the strand.
+    float fraction = 0.0F;  ///< Of its length, 0..1: where the stroke has met it nearest to its root so far.
     std::optional<Dab> twin = {};
     std::optional<sim::SurfacePoint> twinRoot = {};
 };
@@ -35,6 +36,7 @@ public:
         float hardness = 1.0F;
         float strength = 1.0F;
         bool twinRoots = false;
+        bool fractions = false; ///< Strands come again, too, where they are met nearer to their root.
     };
     /// Of the strands that the brush met since the last event; `onlyStronger`: but those that it met as strongly
     /// before.
@@ -52,7 +54,8 @@ private:
     float m_spacingM = 0.001F; ///< Of the group's candidates.
     std::shared_ptr<const sim::TiledRaster> m_density;
     std::optional<QPointF> m_last;
-    std::vector<float> m_strengths; ///< By slot: the greatest so far.
+    std::vector<float> m_strengths; ///< By slot: the greatest so far,
+    std::vector<float> m_fractions; ///< and the least; empty where nobody has asked.
 };
 
 } // namespace hairpaint::model

@@ -22,6 +22,7 @@ struct SeenStrand
     float alongM = 0.0F;        ///< From the root along the drawn hair to there.
     float lengthM = 0.0F;       ///< Of the drawn hair, along it.
     float fraction = 0.0F;      ///< Of its skeleton, 0..1, where it was met.
+    float firstFraction = 0.0F; ///< The same where the brush meets it nearest to its root; of brushes alone.
     float apart = 0.0F;         ///< From the middle of the brush there, of its radius: 0..1.
     std::uint32_t slot = 0;     ///< Of the target's group.
 };

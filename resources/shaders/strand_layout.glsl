@@ -33,5 +33,6 @@ struct PackedStyle
     float frizzM;
     float shine;     // Of the group's, as its gloss has it,
     float sharpness; // and of how sharp the highlights are.
+    float tipStart; // 0..1 of the rest of its length beyond where the group's tip colours begin.
     uint tangentHd; // A unit vector in an octahedron's two coordinates, as unpackSnorm2x16 reads them.
 };

@@ -19,7 +19,7 @@ uniform float undrawnCoverings;
 uniform bool inEveryColumn;  // Those lie in each of the columns around, not only between them.
 uniform vec4 material;       // Shine, roughness, alpha at root and tip.
 uniform float taperM;        // Over which a hair thins out to its tip; 0: over all of it.
-uniform vec2 tipMix;         // Scale and offset: the tip colour's part by the fraction of the length.
+uniform vec2 tipFromOver;    // Where tip colours begin, of the length, and over how much of the rest; see sim::tipMixOf.
 uniform float groupWidthM;   // Diameter of a hair whose width is 1.
 uniform float variationScale;
 uniform float sectionAxes;    // Of a fibre's section, 1 where it is round.
@@ -31,6 +31,7 @@ const float kGreatestWidth = 24.0; // Samples: wider strands would look like str
 const float kMostSlant = 1.42;
 const float kFadingPart = 0.15;
 const float kNearestDrawnM = 0.01;
+const float kSharpestTip = 1e-3; // Of the length.
 
 // The arithmetic that the formula is written in.
 #define Num float
@@ -117,7 +118,8 @@ void main()
     float lightness = exp2(variation * variationScale * 3.0);
     vec3 rootColour = colourFromBytes(styles[slot].rootColour) * lightness;
     vec3 tipColour = colourFromBytes(styles[slot].tipColour) * lightness;
-    float tip = clamp(s * tipMix.x + tipMix.y, 0.0, 1.0);
+    float tipFrom = mix(tipFromOver.x, 1.0, styles[slot].tipStart);
+    float tip = clamp((s - tipFrom) / max(tipFromOver.y * (1.0 - tipFrom), kSharpestTip), 0.0, 1.0);
     HairPoint point = HairPoint(position, tangent, mix(lightShownAs(rootColour), lightShownAs(tipColour), tip),
                                 mix(fibreDepth(rootColour), fibreDepth(tipColour), tip), turnedBy(variation) + lean, towardKey,
                                 towardEye, max(column - towardEye, 0.0), styles[slot].shine * glint, styles[slot].sharpness);

@@ -55,6 +55,7 @@ struct StrandStyle
     std::uint8_t wisp = 0;                                        ///< See wispNumber(); and kTautBit.
     std::uint16_t gloss = ruleOf(MapSlot::Gloss).defaultValue[0]; ///< The gloss map's: 65535 is 1.
     float frizzM = 0.0F;           ///< How far it strays from its course at the tip, at most; a short one less.
+    float tipStart = 0.0F;         ///< The tip start map's; 0 where the tip has the root's colour.
     std::uint16_t braidTaper = 0;  ///< 0..255: GroupSettings::braidTaper in 255ths,
     std::uint16_t braidTied = 255; ///< and braidTie.
 

@@ -26,6 +26,7 @@ enum class MapSlot : std::uint8_t
     Frizz,
     Width,
     Gloss,
+    TipStart,
     Accessory
 };
 
@@ -76,6 +77,7 @@ inline constexpr std::array kMapRules{
     MapRule{.slot = MapSlot::Frizz, .effect = {.look = true}},
     MapRule{.slot = MapSlot::Width, .effect = {.look = true}, .defaultValue = {32768}},
     MapRule{.slot = MapSlot::Gloss, .effect = {.look = true}, .defaultValue = {32768}},
+    MapRule{.slot = MapSlot::TipStart, .effect = {.look = true}},
     MapRule{.slot = MapSlot::Accessory, .sampling = MapSampling::Nearest, .effect = {}}, // Felt by its ties alone.
 };
 inline constexpr std::size_t kMapSlotCount = kMapRules.size();

@@ -73,11 +73,21 @@ struct TipMix
         return isWithin(-offset / scale) || isWithin((1.0F - offset) / scale);
     }
 };
-[[nodiscard]] inline TipMix tipMixOf(const StrandMaterial& material)
+/// `tipStart` as the map has it: from 0, where the group says, to 1, at the very tip.
+[[nodiscard]] inline TipMix tipMixOf(const StrandMaterial& material, float tipStart = 0.0F)
 {
     constexpr float kSharpest = 1e-3F; ///< Of the length: a line.
-    const float scale = 1.0F / std::max(material.tipOver * (1.0F - material.tipFrom), kSharpest);
-    return {.scale = scale, .offset = material.tipFrom * -scale};
+    const float from = material.tipFrom + (1.0F - material.tipFrom) * tipStart;
+    const float scale = 1.0F / std::max(material.tipOver * (1.0F - from), kSharpest);
+    return {.scale = scale, .offset = from * -scale};
+}
+/// The tip start map's value of hair whose tip colour begins at a fraction of its length; 0 where the group's begins
+/// further on.
+[[nodiscard]] inline float tipStartOf(const StrandMaterial& material, float from)
+{
+    constexpr float kLeastRest = 1e-3F;
+    const float rest = std::max(1.0F - material.tipFrom, kLeastRest);
+    return std::clamp((from - material.tipFrom) / rest, 0.0F, 1.0F);
 }
 
 } // namespace hairpaint::sim

@@ -111,7 +111,8 @@ float widthOf(float value)
 
 HairLook::HairLook(const GroupSettings& settings, const MapSamplers& maps)
     : m_settings(settings), m_maps(maps),
-      m_hasColours(maps[MapSlot::Colour].isUniform() && maps[MapSlot::TipColour].isUniform()),
+      m_hasColours(maps[MapSlot::Colour].isUniform() && maps[MapSlot::TipColour].isUniform() &&
+                   maps[MapSlot::TipStart].isUniform()),
       m_hasSurface(maps[MapSlot::Frizz].isUniform() && maps[MapSlot::Width].isUniform() &&
                    maps[MapSlot::Gloss].isUniform())
 {
@@ -135,6 +136,7 @@ void HairLook::give(glm::vec2 uv, const HairVariation& own, StrandStyle& style) 
     if (m_hasColours && !own.isGrey) {
         style.rootColour = m_common.rootColour;
         style.tipColour = m_common.tipColour;
+        style.tipStart = m_common.tipStart;
     } else {
         setColours(coloursAt(uv), own, style);
     }
@@ -145,7 +147,9 @@ HairLook::Colours HairLook::coloursAt(glm::vec2 uv) const
     const MapSampler& colour = m_maps[MapSlot::Colour];
     const MapSampler& tip = m_maps[MapSlot::TipColour];
     const glm::vec3 root(colour.channels(uv));
-    return {.root = root, .tip = tip.sameAs(colour) ? root : glm::vec3(tip.channels(uv))};
+    return {.root = root,
+            .tip = tip.sameAs(colour) ? root : glm::vec3(tip.channels(uv)),
+            .tipStart = m_maps[MapSlot::TipStart].scalar(uv)};
 }
 
 void HairLook::setSurface(glm::vec2 uv, StrandStyle& style) const
@@ -160,6 +164,7 @@ void HairLook::setColours(const Colours& colours, const HairVariation& own, Stra
     const auto shown = [&](glm::vec3 colour) { return own.isGrey ? greyed(colour, style.variation) : colour; };
     style.rootColour = packColour(shown(colours.root));
     style.tipColour = colours.tip == colours.root ? style.rootColour : packColour(shown(colours.tip));
+    style.tipStart = style.tipColour == style.rootColour ? 0.0F : colours.tipStart;
 }
 
 void varyCurl(const HairVariation& variation, StrandStyle& style)

@@ -82,6 +82,7 @@ private:
     {
         glm::vec3 root{0.0F};
         glm::vec3 tip{0.0F};
+        float tipStart = 0.0F; ///< 0..1
     };
     [[nodiscard]] Colours coloursAt(glm::vec2 uv) const;
     void setColours(const Colours& colours, const HairVariation& own, StrandStyle& style) const;

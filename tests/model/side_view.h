@@ -62,10 +62,39 @@ public:
     {
         return {};
     }
-    [[nodiscard]] std::vector<model::SeenStrand> passed(QPointF /*from*/, QPointF /*to*/,
-                                                        double /*radiusPx*/) const override
+    /// Where each strand is nearest to the pointer's way.
+    [[nodiscard]] std::vector<model::SeenStrand> passed(QPointF from, QPointF to, double radiusPx) const override
     {
-        return {};
+        const auto apartPx = [from, to](QPointF point) {
+            const QPointF way = to - from;
+            const double square = QPointF::dotProduct(way, way);
+            const double along =
+                square > 0.0 ? std::clamp(QPointF::dotProduct(point - from, way) / square, 0.0, 1.0) : 0.0;
+            return QLineF(from + way * along, point).length();
+        };
+        std::vector<model::SeenStrand> met;
+        const sim::GroupFrame& hair = m_frame->groups.front();
+        for (std::uint32_t slot = 0; slot < hair.groom->roots->count(); ++slot) {
+            if (!hair.isPositioned(slot))
+                continue;
+            const std::vector<glm::vec3> points = drawnPoints(hair, slot);
+            const auto nearest =
+                std::ranges::min_element(points, {}, [&](glm::vec3 point) { return apartPx(seen(point)); });
+            const double apart = apartPx(seen(*nearest)) / radiusPx;
+            if (apart > 1.0)
+                continue;
+            const auto first =
+                std::ranges::find_if(points, [&](glm::vec3 point) { return apartPx(seen(point)) <= radiusPx; });
+            const sim::RootSet& roots = *hair.groom->roots;
+            met.push_back(
+                {.root = roots.skin->nearest(roots.positionHd[slot]),
+                 .positionHd = *nearest,
+                 .fraction = static_cast<float>(nearest - points.begin()) / static_cast<float>(points.size() - 1),
+                 .firstFraction = static_cast<float>(first - points.begin()) / static_cast<float>(points.size() - 1),
+                 .apart = static_cast<float>(apart),
+                 .slot = slot});
+        }
+        return met;
     }
     [[nodiscard]] std::vector<model::SeenStrand> crossing(std::span<const QPointF> line,
                                                           bool throughSkin) const override

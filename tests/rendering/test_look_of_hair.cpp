@@ -238,6 +238,42 @@ private Q_SLOTS:
         QVERIFY2(std::min(above, below) < 0.1 && std::max(above, below) > 0.9,
                  qPrintable(QStringLiteral("%1 %2").arg(above).arg(below)));
     }
+
+    void theTipColourOfEachHairBeginsWhereItsOwnDoes_data() { byRenderer(); }
+    void theTipColourOfEachHairBeginsWhereItsOwnDoes()
+    {
+        QFETCH(bool, software);
+        int hair = 0;
+        const Picture picture = drawnComb(
+            software,
+            [&hair](sim::StrandStyle& style) {
+                style.rootColour = 0xFF0000C0U;
+                style.tipColour = 0xFFC00000U;
+                style.tipStart = hair++ < 80 ? 0.0F : 0.5F;
+            },
+            [](sim::StrandMaterial& material) {
+                material.tipFrom = 0.25F;
+                material.tipOver = 0.0F;
+            },
+            160);
+        // Where most of a column's pixels turn from one colour to the other, of the hair's length.
+        const auto blueOf = [&](int from, int to) {
+            double blue = 0.0;
+            double all = 0.0;
+            for (int x = from; x < to; ++x)
+                for (int y = 0; y < kLookHeight; ++y) {
+                    blue += picture.at(x, y).z;
+                    all += picture.at(x, y).x + picture.at(x, y).z;
+                }
+            return blue / all;
+        };
+        const double left = blueOf(30, 95);
+        const double right = blueOf(105, 170);
+        const double more = std::max(left, right);
+        const double less = std::min(left, right);
+        QVERIFY2(std::abs(more - 0.75) < 0.08 && std::abs(less - 0.375) < 0.08,
+                 qPrintable(QStringLiteral("%1 %2").arg(left).arg(right)));
+    }
 };
 
 } // namespace hairpaint::testing

@@ -215,6 +215,51 @@ private Q_SLOTS:
         QVERIFY(std::abs(widthAt(0.01F, 0.005F) - (1.0F - 0.25F * 0.65F)) < 1e-4F);
     }
 
+    void theTipColourOfAHairBeginsBetweenTheGroupsStartAndTheTip()
+    {
+        StrandMaterial material;
+        for (const float from : {0.0F, 0.3F}) {
+            material.tipFrom = from;
+            const TipMix group = tipMixOf(material);
+            QVERIFY(tipMixOf(material, 0.0F).scale == group.scale && tipMixOf(material, 0.0F).offset == group.offset);
+            for (const float wanted : {0.4F, 0.75F, 0.99F}) {
+                const TipMix own = tipMixOf(material, tipStartOf(material, wanted));
+                QCOMPARE(own.at(wanted - 0.001F), 0.0F);
+                QVERIFY(std::abs(own.at(0.5F + 0.5F * wanted) - 0.5F) < 1e-3F);
+                QVERIFY(own.at(1.0F) > 0.999F);
+            }
+            QCOMPARE(tipStartOf(material, 0.2F * from), 0.0F);
+            QCOMPARE(tipMixOf(material, 1.0F).at(1.0F), 0.0F); // None at all.
+        }
+    }
+
+    void tipStartsAreOfHairWhoseTipsAreDyed()
+    {
+        GroomInput input = inputOf(patch(), smallGroup());
+        auto& maps = input.groups[0].maps;
+        maps[MapSlot::TipStart] = withDab(maps[MapSlot::TipStart], {0.5F, 0.5F}, 0.2F, {32768});
+        GroomBuilder builder;
+        const auto plain = builder.update(input).grooms[0];
+        forEachHair(*plain, [&](std::uint32_t, const StrandStyle& style) { QCOMPARE(style.tipStart, 0.0F); });
+        maps[MapSlot::TipColour] = withDab(maps[MapSlot::TipColour], {0.6F, 0.5F}, 0.2F, {65535, 0, 0});
+        const auto dyed = builder.update(input).grooms[0];
+        std::size_t both = 0;
+        forEachHair(*dyed, [&](std::uint32_t slot, const StrandStyle& style) {
+            const glm::vec2 uv = dyed->roots->uv[slot];
+            const float fromStart = glm::distance(uv, glm::vec2(0.5F));
+            const float fromTip = glm::distance(uv, glm::vec2(0.6F, 0.5F));
+            if (fromStart < 0.19F && fromTip < 0.19F) {
+                ++both;
+                QVERIFY(std::abs(style.tipStart - 0.5F) < 1e-3F);
+            } else if (fromStart > 0.21F || fromTip > 0.21F) {
+                QCOMPARE(style.tipStart, 0.0F);
+            }
+        });
+        QVERIFY(both > 300);
+        const char* difference = differenceOf(*dyed, *groomOf(input));
+        QVERIFY2(difference == nullptr, difference);
+    }
+
     void theTipColourBeginsWhereItShouldAndAsSoftly()
     {
         StrandMaterial material;

@@ -49,6 +49,19 @@ public:
         return cell != kNoCell && seen.z > m_cells[cell].back() + kSeenM;
     }
 
+    /// The depth from which on all is hidden wherever a cell's middle is as asked; infinite where one is open.
+    template<class Wanted>
+    [[nodiscard]] float hidesFrom(const Wanted& wanted) const
+    {
+        float deepest = 0.0F;
+        for (std::size_t i = 0; i < m_cells.size(); ++i) {
+            const glm::vec2 cell(static_cast<float>(i % m_across), static_cast<float>(i / m_across));
+            if (wanted(glm::vec2(m_box.left, m_box.top) + (cell + 0.5F) * m_cellPx))
+                deepest = std::max(deepest, m_cells[i].back());
+        }
+        return deepest + kSeenM;
+    }
+
 private:
     static constexpr float kOpen = 1e9F;
     static constexpr float kSeenM = 0.008F; ///< So far behind the foremost hair a lock still shows.

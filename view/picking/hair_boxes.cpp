@@ -54,6 +54,7 @@ HairBoxes::HairBoxes(const sim::GroupFrame& group, const Lens& lens)
                         {.firstSlot = static_cast<std::uint32_t>(chunk * sim::kChunkSlots + block * kPickLanes)});
     spans = (nodes - 1 + kSpan - 1) / kSpan;
     boxes.resize(blocks.size() * spans);
+    nearestM.assign(boxes.size(), 1e9F);
     strays.resize(blocks.size() * kPickLanes);
     sim::parallelFor(blocks.size(), kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
         std::array<float, 3 * kPickLanes> seen{};
@@ -67,25 +68,29 @@ HairBoxes::HairBoxes(const sim::GroupFrame& group, const Lens& lens)
                 farthestM = std::max(farthestM, strays[i * kPickLanes + lane]);
             }
             const float* node = group.positions.data() + groom.blocks().index(groom.frameStrand(block.firstSlot), 0);
-            float nearestM = 1e9F;
+            float leastM = 1e9F;
             for (std::size_t n = 0; n < nodes; ++n, node += sim::StrandBlocks::kNodeStride) {
                 lens.seen(node, seen.data());
                 PictureBox box;
+                float nodeM = 1e9F;
                 for (std::uint32_t lanes = block.lanes; lanes != 0; lanes &= lanes - 1) {
                     const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
                     if (seen[2 * kPickLanes + lane] <= 0.0F)
                         continue;
                     box.add(glm::vec2(seen[lane], seen[kPickLanes + lane]));
-                    nearestM = std::min(nearestM, seen[2 * kPickLanes + lane]);
+                    nodeM = std::min(nodeM, seen[2 * kPickLanes + lane]);
                 }
                 // A node between two spans ends the one and begins the other.
                 const std::size_t after = std::min(n / kSpan, spans - 1);
                 const std::size_t before = n > 0 ? (n - 1) / kSpan : 0;
-                for (std::size_t span = before; span <= after; ++span)
+                for (std::size_t span = before; span <= after; ++span) {
                     boxes[i * spans + span].add(box);
+                    nearestM[i * spans + span] = std::min(nearestM[i * spans + span], nodeM - farthestM);
+                }
+                leastM = std::min(leastM, nodeM);
             }
             for (std::size_t span = 0; span < spans; ++span)
-                boxes[i * spans + span] = boxes[i * spans + span].widened(farthestM * lens.pxPerM(nearestM));
+                boxes[i * spans + span] = boxes[i * spans + span].widened(farthestM * lens.pxPerM(leastM));
         }
     });
 }

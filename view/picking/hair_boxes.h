@@ -52,6 +52,7 @@ struct HairBoxes
     std::vector<Block> blocks;
     std::size_t spans = 0;         ///< A block.
     std::vector<PictureBox> boxes; ///< [blocks][spans]
+    std::vector<float> nearestM;   ///< [blocks][spans] Depth before which nothing of it is drawn.
     std::vector<float> strays;     ///< [blocks][kPickLanes] strayM() of positioned hairs.
 
     HairBoxes(const sim::GroupFrame& group, const Lens& lens);

@@ -34,6 +34,7 @@ void HairList::index(ChunkPart& part, const std::shared_ptr<const sim::StrandChu
         part.entries[next[stepOf(style.detail)]++] = {
             .slot = static_cast<std::uint16_t>(slot),
             .curveSegments = static_cast<std::uint16_t>(sim::curveSegmentsOf(style, coils)),
+            .hasTipStart = style.tipStart > 0.0F,
             .detail = style.detail};
     }
     part.chunk = from;
@@ -68,7 +69,9 @@ bool HairList::update(const std::shared_ptr<const sim::Groom>& groom, float deta
                 const IndexedStrand& entry = part.entries[e];
                 if (!(entry.detail < detail))
                     continue;
-                const int segments = std::max(entry.curveSegments * wanted.curlFactor, wanted.ofStraightHair);
+                const int straight =
+                    entry.hasTipStart ? std::max(wanted.ofStraightHair, kSegmentsOfDyedHair) : wanted.ofStraightHair;
+                const int segments = std::max(entry.curveSegments * wanted.curlFactor, straight);
                 const auto points = static_cast<std::uint32_t>(segments + 1);
                 if (batch.pointCount + points > kBatchPoints) {
                     m_batches.push_back(batch);

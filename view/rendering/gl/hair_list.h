@@ -42,6 +42,7 @@ private:
     {
         std::uint16_t slot;
         std::uint16_t curveSegments; ///< That curl and braid ask for.
+        bool hasTipStart;            ///< Its tip colour begins elsewhere than the group's.
         float detail;
     };
     struct ChunkPart

@@ -14,7 +14,6 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr unsigned kWorkgroup = 64;
-constexpr int kSegmentsOfDyedHair = 28; ///< So that the tip colour can begin in a line.
 constexpr float kVoxelUnitM2 = 1e-9F;   ///< Hair's area that one unit of a voxel stands for.
 
 // The shaders stop at what is opaque, so that more of what lies deep is drawn than in software.
@@ -229,9 +228,8 @@ bool HairPass::projectPiece()
     m_shade.set("inEveryColumn", m_depth.inEveryColumn ? 1 : 0);
     m_shade.set("material", glm::vec4(settings.material.shine, settings.material.roughness, settings.material.rootAlpha,
                                       settings.material.tipAlpha));
-    const sim::TipMix tipMix = sim::tipMixOf(settings.material);
     m_shade.set("taperM", settings.material.taperM);
-    m_shade.set("tipMix", glm::vec2(tipMix.scale, tipMix.offset));
+    m_shade.set("tipFromOver", glm::vec2(settings.material.tipFrom, settings.material.tipOver));
     m_shade.set("groupWidthM", settings.material.widthM);
     m_shade.set("variationScale", settings.material.colourVariation);
     m_shade.set("sectionAxes", settings.material.sectionAxes);

@@ -44,6 +44,7 @@ PackedStyle packed(const sim::StrandStyle& style, glm::vec3 rootTangentHd)
             .frizzM = style.frizzM,
             .shine = gloss.shine,
             .sharpness = gloss.sharpness,
+            .tipStart = style.tipStart,
             .tangentHd = packDirection(rootTangentHd)};
 }
 

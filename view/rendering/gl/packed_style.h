@@ -11,7 +11,7 @@ using uint = std::uint32_t; // GLSL's name, for the shared layout.
 #include "resources/shaders/strand_layout.glsl"
 
 static_assert(sizeof(DrawnStrand) == 8);
-static_assert(sizeof(PackedStyle) == 76);
+static_assert(sizeof(PackedStyle) == 80);
 static_assert(kStrandLanes == sim::kLanes);
 
 /// `rootTangentHd`: of the slot that turns the strand's frame, see sim::frameTangentHd.

@@ -6,6 +6,8 @@
 
 namespace hairpaint::rendering {
 
+inline constexpr int kSegmentsOfDyedHair = 28; ///< So that the tip colour can begin in a line.
+
 struct SegmentsWanted
 {
     int ofStraightHair = 1; ///< For the bends of the skeletons.

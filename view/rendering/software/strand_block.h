@@ -11,7 +11,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
+
+namespace hairpaint::sim {
+struct GroupFrame;
+}
 
 namespace hairpaint::rendering {
 
@@ -29,7 +34,8 @@ struct alignas(64) StrandBlock
     const sim::CurlSettings* coils = nullptr; ///< See sim::coilsOf.
     bool anyFrizz = false;
     bool anyTaut = false;
-    bool anyFrame = false; ///< Curled, braided or frizzy: the frame along the skeleton matters.
+    bool anyTipStart = false; ///< Their tip colours begin elsewhere; else all have one sim::TipMix.
+    bool anyFrame = false;    ///< Curled, braided or frizzy: the frame along the skeleton matters.
     LaneRow turns;
     LaneRow curlRadiusM; ///< 0 where there is no curl.
     LaneRow phase;
@@ -39,6 +45,8 @@ struct alignas(64) StrandBlock
     LaneRow order;                     ///< 0..1: hairs of a low one stand for the others where not all are drawn.
     std::array<LaneRow, 3> rootColour; ///< sRGB as encoded, 0..1.
     std::array<LaneRow, 3> tipColour;
+    LaneRow tipScale; ///< sim::TipMix
+    LaneRow tipOffset;
     std::array<float, 3 * kBlockLanes> tangentWo; ///< Of the root.
     LaneRow braid;                                ///< sim::BraidKind
     LaneRow wisp;
@@ -58,6 +66,11 @@ struct alignas(64) StrandBlock
     std::vector<float> nodesWo; ///< [nodes][3][kBlockLanes]
 };
 
+/// Strands of a group, one to sixteen positioned slots; lanes beyond them are the last one again, of no width.
+/// `turnWoFromHd`: as the head is turned.
+void fillBlock(StrandBlock& block, const sim::GroupFrame& group, std::span<const std::uint32_t> slots,
+               const glm::mat3& turnWoFromHd);
+
 /// What is the same for all strands of a group in one picture.
 struct StrandView
 {
@@ -73,7 +86,6 @@ struct StrandView
     float rootAlpha = 1.0F;
     float tipAlpha = 1.0F;
     bool tapers = false; ///< Over less than all of their length.
-    sim::TipMix tipMix = {};
     float variationScale = 0.0F;
     float sectionAxes = 1.0F; ///< See StrandMaterial.
     float nearestM = 0.0F;    ///< Depths run from here, in 16 bits;

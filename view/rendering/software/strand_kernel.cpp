@@ -64,6 +64,16 @@ float tipAlongOf(const StrandView& view, const StrandBlock& block, const SpanSeg
     return std::max(1.0F - taper / std::max(strands, 1.0F), 0.0F);
 }
 
+/// Whether the tip colour begins, or becomes whole, between two fractions of any of the strands.
+bool bendsWithin(const StrandBlock& block, float from, float to)
+{
+    const std::size_t mixes = block.anyTipStart ? kMostLanes : 1;
+    for (std::size_t lane = 0; lane < mixes; ++lane)
+        if (sim::TipMix{.scale = block.tipScale[lane], .offset = block.tipOffset[lane]}.bendsWithin(from, to))
+            return true;
+    return false;
+}
+
 void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegments& segments)
 {
     constexpr std::size_t kRow = 3 * kMostLanes;
@@ -111,13 +121,13 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
     const int spans = block.nodes - 1;
     const float turnsOfSpan = std::floor(turnSegments / static_cast<float>(spans) + 0.6F);
     // A run of n spans whose curve has second differences up to d lies n^2 d/8 beside its chord.
-    const bool isPlain = !view.tipMix.bendsWithin(0.0F, 1.0F);
+    const bool isPlain = !bendsWithin(block, 0.0F, 1.0F);
     int run = 1;
     float bendOfRun = 0.0F;
     segments.total = 0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(spans); ++k) {
         const float bend = std::max(bendAt.at(k), bendAt.at(k + 1));
-        const bool isDyed = view.tipMix.bendsWithin(static_cast<float>(k) / static_cast<float>(spans),
+        const bool isDyed = !isPlain && bendsWithin(block, static_cast<float>(k) / static_cast<float>(spans),
                                                     static_cast<float>(k + 1) / static_cast<float>(spans));
         const float wanted = std::max(
             {std::ceil(std::sqrt(bend / (8.0F * view.toleranceSp))), turnsOfSpan, isDyed ? kSegmentsOfDyedSpan : 0.0F});
@@ -178,6 +188,8 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
     };
     const Triple<Lanes> rootColour = colourOf(block.rootColour);
     const Triple<Lanes> tipColour = colourOf(block.tipColour);
+    const Lanes tipScale = loaded(block.tipScale.data() + lane);
+    const Lanes tipOffset = loaded(block.tipOffset.data() + lane);
     const Triple<Lanes> rootDepth = fibreDepth(rootColour); // Pigment fades evenly toward the tip.
     const Triple<Lanes> tipDepth = fibreDepth(tipColour);
     const Triple<Lanes> rootLight = lightShownAs(rootColour);
@@ -236,7 +248,7 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
         stored(select(seen, width, Lanes(0.0F)), out.width.data() + row);
 
         const Lanes behind = most(columnAt(view.opacity[1], view.gridSide, toEye) - towardEye, Lanes(0.0F));
-        const Lanes tip(view.tipMix.at(s));
+        const Lanes tip = clamped(Lanes(s) * tipScale + tipOffset, 0.0F, 1.0F);
         const Triple<Lanes> lit = hairLight(
             view.lighting, HairPoint<Lanes>{here, tangent, rootLight + (tipLight - rootLight) * tip,
                                             rootDepth + (tipDepth - rootDepth) * tip, turned + section.lean,
@@ -255,6 +267,12 @@ void pointsOfAll(const StrandView& view, const StrandBlock& block, const SpanSeg
         pointsOfLanes(view, block, segments, lane, out);
 }
 
+void curvesOfAll(const StrandBlock& block, const SpanSegments& segments, float* pointsWo)
+{
+    for (std::size_t lane = 0; lane < kMostLanes; lane += hn::Lanes(Tag()))
+        evaluateCurves(block, segments, lane, pointsWo);
+}
+
 } // namespace hairpaint::rendering::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -263,6 +281,7 @@ namespace hairpaint::rendering {
 
 HWY_EXPORT(segmentsForAll);
 HWY_EXPORT(pointsOfAll);
+HWY_EXPORT(curvesOfAll);
 
 void StrandPoints::resize(std::size_t points)
 {
@@ -293,6 +312,11 @@ void drawnPoints(const StrandView& view, const StrandBlock& block, const SpanSeg
                 (static_cast<float>(k) + segments.along(static_cast<int>(k), block.nodes, j)) * perSpan;
     points.fraction[point] = 1.0F;
     HWY_DYNAMIC_DISPATCH(pointsOfAll)(view, block, segments, points);
+}
+
+void drawnCurves(const StrandBlock& block, const SpanSegments& segments, float* pointsWo)
+{
+    HWY_DYNAMIC_DISPATCH(curvesOfAll)(block, segments, pointsWo);
 }
 
 } // namespace hairpaint::rendering

@@ -10,4 +10,7 @@ namespace hairpaint::rendering {
 /// Fills `points` with segments + 1 of each strand.
 void drawnPoints(const StrandView& view, const StrandBlock& block, const SpanSegments& segments, StrandPoints& points);
 
+/// The curves alone: writes segments + 1 points, [point][3][kBlockLanes], Wo.
+void drawnCurves(const StrandBlock& block, const SpanSegments& segments, float* pointsWo);
+
 } // namespace hairpaint::rendering
