@@ -329,7 +329,7 @@ void makeNatural(GroupSettings& settings)
                           .flyaways = 0.012F,
                           .parting = 0.004F,
                           .mostShorterM = 0.015F,
-                          .partGapM = 0.003F,
+                          .partGapM = 0.002F,
                           .patches = 0.3F};
     settings.hairline = {.softenM = 0.008F, .baby = 0.35F, .uneven = 0.8F};
     settings.physics.volumeRiseM = 0.05F;

@@ -102,7 +102,7 @@ float holdGain(float gel)
 
 float loftGain(float loft)
 {
-    constexpr float kSagM = 0.0025F; ///< Of all of it, at the root.
+    constexpr float kSagM = 0.0008F; ///< Of all of it, at the root.
     return loft > 0.0F ? kGravity * kStep * kStep / kSagM * std::min(loft, 1.0F) : 0.0F;
 }
 

@@ -115,14 +115,11 @@ private Q_SLOTS:
     void coilsAreAsLargeAsIsSet();
     void theCrownIsClosed_data() { onHeads({"Long straight", "Ringlets", "Round afro"}); }
     void theCrownIsClosed();
-    void theOutlineFromBehindHasNoDent_data()
-    {
-        onHeads({"Long straight", "Round afro", "Bob", "Split dye", "Side part"});
-    }
+    void theOutlineFromBehindHasNoDent_data() { onHeads({"Long straight", "Round afro"}); }
     void theOutlineFromBehindHasNoDent();
     void aPartingWaversAndIsCrossed_data() { onHeads({"Long straight"}); }
     void aPartingWaversAndIsCrossed();
-    void aGapIsAsWideAsAPartingIs_data() { onHeads({"Split dye", "Long straight", "Bob"}); }
+    void aGapIsAsWideAsAPartingIs_data() { onHeads({"Split dye"}); }
     void aGapIsAsWideAsAPartingIs();
     void hairOnShouldersLiesOrFalls_data() { onHeads({"Long straight"}); }
     void hairOnShouldersLiesOrFalls();
@@ -222,11 +219,10 @@ void TestStyleMeasures::aGapIsAsWideAsAPartingIs()
 {
     QFETCH(QString, head);
     QFETCH(QString, style);
-    // "Gap of 1 to 2 mm (density of roots over the line)" where it was drawn; twice that where hair alone tells it.
+    // "Gap of 1 to 2 mm (density of roots over the line)."
     const app::SettledHair grown(*projectOn(head, style), 0.0); // Where its roots are.
     const float found = partOf(exported(grown, std::nullopt)).gapM;
-    const float wide = style == QLatin1StringView("Split dye") ? 1.0F : 2.0F;
-    QVERIFY2(found >= 0.001F * wide && found <= 0.002F * wide, qPrintable(QString::number(found)));
+    QVERIFY2(found >= 0.001F && found <= 0.002F, qPrintable(QString::number(found)));
 }
 
 void TestStyleMeasures::hairOnShouldersLiesOrFalls()
