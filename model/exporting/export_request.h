@@ -25,6 +25,8 @@ struct ExportRequest
     CurveOptions curves{};
     CardSettings cards{};
     QString author{};                       ///< Of avatars; empty is "Unknown".
+    std::vector<HeadPart> parts{}; ///< Of the head's character, Hd;
+    std::shared_ptr<const sim::MeshTexture> headTexture{}; ///< and what its file shows on the skin.
     std::vector<Worn> worn{};               ///< See ExportSettings.
     QRgb skinColour = 0xFF808080;           ///< Likewise.
     std::shared_ptr<const Avatar> avatar{}; ///< There where the format is one of avatars.

@@ -3,6 +3,7 @@
 
 #include "model/exporting/cards/card_settings.h"
 
+#include "model/project/head_part.h"
 #include "model/project/worn.h"
 
 #include <QRgb>
@@ -38,6 +39,8 @@ struct ExportSettings
     bool groomColours = false;              ///< Its reader takes colours from Unreal's groom attributes alone.
     CardSettings cards{};                   ///< For formats that make some;
     std::vector<Worn> worn{};               ///< what keeps them out where they swing, and goes with the head.
+    std::vector<HeadPart> parts{};          ///< Beside the head's mesh, Hd.
+    std::shared_ptr<const sim::MeshTexture> headTexture{}; ///< Null where its file shows none.
     QRgb skinColour = 0xFF808080;           ///< Of the head beside them.
     std::shared_ptr<const Avatar> avatar{}; ///< Whose body that head is part of, for formats of avatars.
 };
