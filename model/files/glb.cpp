@@ -4,6 +4,7 @@
 #include "model/files/glb_container.h"
 #include "model/files/joint_nodes.h"
 #include "model/files/png_codec.h"
+#include "model/files/png_reader.h"
 #include "sim/skin/head_limits.h"
 
 #include <algorithm>
@@ -245,7 +246,8 @@ Checked<GlbParts> partsFromGlb(const QByteArray& glb)
     for (qsizetype i = 0; i < meshes.size(); ++i) {
         const QJsonObject told = meshes.at(i).toObject();
         const std::optional<QJsonObject> primitive = primitiveOf(told);
-        HeadPart part{.name = told.value(QLatin1String("name")).toString().toStdString()};
+        HeadPart part{
+            .name = told.value(QLatin1String("name")).toString().toStdString(), .texture = nullptr, .mesh = nullptr};
         if (!primitive || !isJointName(part.name) || !materials.read(*primitive, part))
             return broken();
         if (i == 0) {
