@@ -94,8 +94,9 @@ std::vector<CommandOption> newOptions()
          CommandLine::tr("where the face of that mesh looks: x, -x, y, -y, z or -z; z, or -y where z points up, unless "
                          "given")},
         {QStringLiteral("--head-part NAME"),
-         CommandLine::tr("a part of that mesh, or its material, that comes in; all unless given; may be given again for "
-                         "more"),
+         CommandLine::tr(
+             "a part of that mesh, or its material, that comes in; all unless given; may be given again for "
+             "more"),
          Use::Repeated},
         {QStringLiteral("--grow-on NAME"),
          CommandLine::tr("a part that hair grows on; that with the scalp unless given; may be given again for more"),

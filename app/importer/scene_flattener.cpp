@@ -94,7 +94,8 @@ private:
     {
         return {glm::floor((triangle[0].uv + triangle[1].uv + triangle[2].uv) / 3.0F)};
     }
-    /// Whether its layout lies in tiles as UDIM has them, and not over a texture that repeats: triangles keep to theirs.
+    /// Whether its layout lies in tiles as UDIM has them, and not over a texture that repeats: triangles keep to
+    /// theirs.
     [[nodiscard]] static bool liesInTiles(const SceneMesh& mesh)
     {
         constexpr float kOver = 1e-3F;
@@ -124,12 +125,10 @@ private:
         if (m_last.mesh == &mesh && m_last.node == node && m_last.tile == tile)
             return m_parts[m_last.part].builder;
         const Key key(name, hasMaterial ? mesh.material : -1, tile.x, tile.y, !mesh.uvs.empty());
-        const auto [known, isNew] =
-            m_byKey.try_emplace(key, std::min(m_parts.size(), model::MeshPart::kMost - 1));
+        const auto [known, isNew] = m_byKey.try_emplace(key, std::min(m_parts.size(), model::MeshPart::kMost - 1));
         if (isNew && m_parts.size() < model::MeshPart::kMost) {
             Part& part = m_parts.emplace_back();
             part.told.name = model::jointNameOf(name);
-            part.told.hasLayout = !mesh.uvs.empty();
             part.told.tile = tile;
             if (hasMaterial) {
                 const SceneMaterial& material = m_scene.materials[static_cast<std::size_t>(mesh.material)];
@@ -137,7 +136,7 @@ private:
                 part.told.colour = glm::clamp(material.colour, 0.0F, 1.0F);
                 part.told.alpha = material.alpha;
                 part.told.doubleSided = material.doubleSided;
-                part.told.texture = material.image; // Of the scene's images yet.
+                part.told.texture = mesh.uvs.empty() ? -1 : material.image; // Of the scene's images yet.
             }
         }
         m_last = {.mesh = &mesh, .node = node, .tile = tile, .part = known->second};
@@ -174,6 +173,9 @@ model::RiggedMesh joined(std::vector<Part> parts)
         const auto first = static_cast<std::uint32_t>(whole.positionsHd.size());
         part.told.vertices = static_cast<std::uint32_t>(own.positionsHd.size());
         part.told.triangles = static_cast<std::uint32_t>(own.triangles.size());
+        // Where all are one there is nothing to paint on.
+        part.told.hasLayout =
+            std::ranges::any_of(own.uvs, [&own](const glm::vec2& uv) { return uv != own.uvs.front(); });
         const auto append = [](auto& to, auto& from) { to.insert(to.end(), from.begin(), from.end()); };
         append(whole.positionsHd, own.positionsHd);
         append(whole.normalsHd, own.normalsHd);

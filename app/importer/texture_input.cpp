@@ -23,11 +23,8 @@ using model::MeshTexture;
 /// By the file's first bytes.
 const char* formatOf(std::span<const std::byte> bytes)
 {
-    constexpr std::array<std::pair<std::string_view, const char*>, 5> kMagic{{{"\x89PNG", "png"},
-                                                                              {"\xFF\xD8", "jpeg"},
-                                                                              {"RIFF", "webp"},
-                                                                              {"BM", "bmp"},
-                                                                              {"DDS ", "dds"}}};
+    constexpr std::array<std::pair<std::string_view, const char*>, 5> kMagic{
+        {{"\x89PNG", "png"}, {"\xFF\xD8", "jpeg"}, {"RIFF", "webp"}, {"BM", "bmp"}, {"DDS ", "dds"}}};
     const std::string_view begin(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 4));
     for (const auto& [magic, format] : kMagic)
         if (begin.starts_with(magic))
@@ -51,9 +48,8 @@ std::optional<MeshTexture> decoded(std::span<const std::byte> bytes)
         spec.height > kMost || std::int64_t{spec.width} * spec.height > static_cast<std::int64_t>(wire::kMostPixels))
         return std::nullopt;
     const auto channels = static_cast<std::size_t>(std::min(spec.nchannels, 4));
-    MeshTexture texture{.width = static_cast<std::uint32_t>(spec.width),
-                        .height = static_cast<std::uint32_t>(spec.height),
-                        .rgba = {}};
+    MeshTexture texture{
+        .width = static_cast<std::uint32_t>(spec.width), .height = static_cast<std::uint32_t>(spec.height), .rgba = {}};
     const std::size_t pixels = std::size_t{texture.width} * texture.height;
     std::vector<std::uint8_t> read(pixels * channels);
     if (!input->read_image(0, 0, 0, static_cast<int>(channels), OIIO::TypeDesc::UINT8, read.data()))
@@ -105,7 +101,7 @@ void decodeTextures(model::RiggedMesh& mesh, const std::vector<std::vector<std::
     std::map<std::int32_t, std::int32_t> numbers;
     for (model::MeshPart& part : mesh.parts) {
         const bool isNamed = part.texture >= 0 && static_cast<std::size_t>(part.texture) < images.size();
-        if (!isNamed || !part.hasLayout) {
+        if (!isNamed) {
             part.texture = -1;
             continue;
         }

@@ -20,8 +20,8 @@ struct Avatar
     QString author;        ///< Likewise.
     HeadSkeleton skeleton; ///< Hd.
     HumanoidBones bones;
-    std::shared_ptr<const sim::Skin> skin; ///< Whose vertices the skeleton's weights are for.
-    std::vector<HeadPart> parts = {};      ///< Of its body, Hd,
+    std::shared_ptr<const sim::Skin> skin;                  ///< Whose vertices the skeleton's weights are for.
+    std::vector<HeadPart> parts = {};                       ///< Of its body, Hd,
     std::vector<std::vector<BoneWeights>> partWeights = {}; ///< with the weights of their vertices.
 };
 

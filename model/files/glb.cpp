@@ -106,9 +106,8 @@ std::optional<HeadSkeleton> jointsOf(const GlbContainer& container)
     const QJsonArray skins = container.list(QLatin1StringView("skins"));
     if (skins.isEmpty())
         return HeadSkeleton{};
-    std::optional<std::vector<HeadJoint>> joints =
-        jointsFromNodes(container.list(QLatin1StringView("nodes")),
-                        skins.at(0).toObject().value(QLatin1String("joints")).toArray());
+    std::optional<std::vector<HeadJoint>> joints = jointsFromNodes(
+        container.list(QLatin1StringView("nodes")), skins.at(0).toObject().value(QLatin1String("joints")).toArray());
     if (skins.size() != 1 || !joints || joints->empty())
         return std::nullopt;
     return HeadSkeleton{.joints = std::move(*joints), .weights = {}};
@@ -178,8 +177,8 @@ private:
         m_pixels += std::size_t{header->width} * header->height;
         if (m_pixels > kMost)
             return nullptr;
-        const QImage image =
-            decodePicture(png, static_cast<int>(sim::MeshTexture::kLargestSide)).convertToFormat(QImage::Format_RGBA8888);
+        const QImage image = decodePicture(png, static_cast<int>(sim::MeshTexture::kLargestSide))
+                                 .convertToFormat(QImage::Format_RGBA8888);
         if (image.isNull())
             return nullptr;
         auto texture = std::make_shared<sim::MeshTexture>();

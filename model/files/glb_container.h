@@ -54,7 +54,7 @@ struct GlbContainer
 /// Copies an accessor's elements; none where anything about it is not as our subset has it.
 template<typename Element>
 [[nodiscard]] std::optional<std::vector<Element>> readAccessor(const GlbContainer& container, const QJsonValue& index,
-                                                 const QString& type, int componentType, qint64 most)
+                                                               const QString& type, int componentType, qint64 most)
 {
     const QJsonArray accessors = container.json.value(QLatin1String("accessors")).toArray();
     const qint64 number = wholeNumber(index, -1);

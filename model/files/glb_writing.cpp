@@ -168,10 +168,10 @@ QJsonObject attributesOf(GlbWriter& writer, const RiggedMesh& mesh, const MeshRa
 
 QJsonObject materialOf(const MeshPart& part)
 {
-    QJsonObject surface{{QStringLiteral("baseColorFactor"),
-                         QJsonArray{shortestDouble(part.colour.x), shortestDouble(part.colour.y),
-                                    shortestDouble(part.colour.z), 1.0}},
-                        {QStringLiteral("metallicFactor"), 0.0}};
+    QJsonObject surface{
+        {QStringLiteral("baseColorFactor"),
+         QJsonArray{shortestDouble(part.colour.x), shortestDouble(part.colour.y), shortestDouble(part.colour.z), 1.0}},
+        {QStringLiteral("metallicFactor"), 0.0}};
     if (part.texture >= 0)
         surface.insert(QStringLiteral("baseColorTexture"), QJsonObject{{QStringLiteral("index"), part.texture}});
     QJsonObject material{{QStringLiteral("pbrMetallicRoughness"), surface}};

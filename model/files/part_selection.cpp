@@ -145,9 +145,8 @@ Checked<void> choosePartsBy(RiggedMesh& source, const HeadChoice& choice, const 
 
 Checked<ChosenHead> headOfParts(const RiggedMesh& source, bool ownLayout)
 {
-    if (!source.parts.empty() && std::ranges::none_of(source.parts, [](const MeshPart& part) {
-            return part.use == PartUse::Grows;
-        }))
+    if (!source.parts.empty() &&
+        std::ranges::none_of(source.parts, [](const MeshPart& part) { return part.use == PartUse::Grows; }))
         return refuse(say(QT_TRANSLATE_NOOP("Files", "hair is to grow on none of its parts; choose one")));
     ChosenHead chosen{.mesh = arranged(source), .remarks = {}};
     if (ownLayout)
@@ -168,16 +167,17 @@ Checked<ChosenHead> headOfParts(const RiggedMesh& source, bool ownLayout)
     }
     tiles.removeDuplicates();
     if (!bare.isEmpty())
-        chosen.remarks.append(say(QT_TRANSLATE_NOOP("Files", "without uv coordinates, so no hair grows there: %1"))
-                                  .arg(quoted(bare)));
+        chosen.remarks.append(
+            say(QT_TRANSLATE_NOOP("Files", "without uv coordinates, so no hair grows there: %1")).arg(quoted(bare)));
     if (!tiles.isEmpty() && !ownLayout)
-        chosen.remarks.append(say(QT_TRANSLATE_NOOP("Files", "its uv tiles lie side by side on the maps: 1001, %1"))
-                                  .arg(quoted(tiles)));
+        chosen.remarks.append(
+            say(QT_TRANSLATE_NOOP("Files", "its uv tiles lie side by side on the maps: 1001, %1")).arg(quoted(tiles)));
     if (const LayoutOverlap overlap = overlapOf(head); !ownLayout && overlap.fraction > kNotableOverlap)
         chosen.remarks.append(
             (overlap.isMirrored
-                 ? say(QT_TRANSLATE_NOOP("Files", "its left and right half share %1 % of the texels: what is painted on "
-                                                  "one grows on both; a layout of our own parts them"))
+                 ? say(QT_TRANSLATE_NOOP("Files",
+                                         "its left and right half share %1 % of the texels: what is painted on "
+                                         "one grows on both; a layout of our own parts them"))
                  : say(QT_TRANSLATE_NOOP("Files", "parts of its skin share %1 % of the texels: what is painted on one "
                                                   "grows on all; a layout of our own parts them")))
                 .arg(percentOf(overlap.fraction)));

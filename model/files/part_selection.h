@@ -17,7 +17,7 @@ namespace hairpaint::model {
 
 struct ChosenHead
 {
-    RiggedMesh mesh; ///< As arranged() has it.
+    RiggedMesh mesh;     ///< As arranged() has it.
     QStringList remarks; ///< Sentences without a full stop: parts without uvs, layouts side by side, shared texels.
 };
 /// Of a mesh whose parts were chosen. Fails where there is nothing to paint on.

@@ -53,8 +53,11 @@ std::vector<Layout> layoutsOf(const RiggedMesh& mesh, std::span<const MeshPart> 
         std::vector<bool> covered = coverOf(mesh, ranges[i]);
         auto layout = std::ranges::find_if(layouts, [&](const Layout& one) { return fits(one, grown[i], covered); });
         if (layout == layouts.end()) {
-            layouts.push_back({.tile = grown[i].tile, .texture = -1, .colour = grown[i].colour,
-                               .covered = std::vector<bool>(covered.size()), .parts = {}});
+            layouts.push_back({.tile = grown[i].tile,
+                               .texture = -1,
+                               .colour = grown[i].colour,
+                               .covered = std::vector<bool>(covered.size()),
+                               .parts = {}});
             layout = layouts.end() - 1;
         }
         if (grown[i].texture >= 0) {
@@ -99,7 +102,8 @@ MeshTexture pictureOf(const RiggedMesh& mesh, std::span<const Layout> layouts, s
                 for (std::size_t c = 0; c < 3; ++c) {
                     const float shown = from != nullptr ? linearFromSrgb(static_cast<float>(from[c]) / 255.0F) : 1.0F;
                     const float light = shown * layout.colour[static_cast<int>(c)];
-                    to[c] = static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(srgbFromLinear(light), 0.0F, 1.0F)));
+                    to[c] =
+                        static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(srgbFromLinear(light), 0.0F, 1.0F)));
                 }
                 to[3] = from != nullptr ? from[3] : 255;
             }
@@ -195,7 +199,8 @@ LayoutOverlap overlapOf(const sim::HeadMesh& mesh)
                 ++over;
                 const glm::vec3 a = middleOf(mesh.triangles[owner[texel] - 1]);
                 const glm::vec3 b = middleOf(mesh.triangles[t]);
-                const bool isOpposite = std::abs(a.x - b.x) > close && std::abs(a.x + b.x - 2.0F * middle) < 2.0F * close;
+                const bool isOpposite =
+                    std::abs(a.x - b.x) > close && std::abs(a.x + b.x - 2.0F * middle) < 2.0F * close;
                 mirrored += isOpposite && std::abs(a.y - b.y) < 2.0F * close ? 1 : 0;
             },
             kInside);

@@ -18,12 +18,13 @@ namespace {
 bool isNamedAsOther(const MeshPart& part)
 {
     static constexpr std::array<std::string_view, 36> kOthers = {
-        "eye",    "iris",   "cornea", "pupil", "lash",     "brow",   "teeth",   "tooth",   "tongue", "mouth",
-        "gum",    "hair",   "kami",   "bang",  "ponytail", "glass",  "cloth",   "shirt",   "tops",   "pants",
-        "bottom", "dress",  "skirt",  "shoe",  "sock",     "glove",  "jacket",  "helmet",  "beard",  "earring",
-        "horn",   "ribbon", "mask",   "crown", "jewel",    "weapon"};
+        "eye",    "iris",  "cornea",  "pupil", "lash",   "brow",     "teeth", "tooth", "tongue",
+        "mouth",  "gum",   "hair",    "kami",  "bang",   "ponytail", "glass", "cloth", "shirt",
+        "tops",   "pants", "bottom",  "dress", "skirt",  "shoe",     "sock",  "glove", "jacket",
+        "helmet", "beard", "earring", "horn",  "ribbon", "mask",     "crown", "jewel", "weapon"};
     const auto names = [](std::string name) {
-        std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+        std::ranges::transform(name, name.begin(),
+                               [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
         return std::ranges::any_of(kOthers,
                                    [&name](std::string_view other) { return name.find(other) != std::string::npos; });
     };
@@ -63,7 +64,8 @@ public:
         if (candidates.empty())
             return m_uses;
         m_uses[withTheScalp(candidates)] = PartUse::Grows;
-        while (addNeighbours(candidates)) {}
+        while (addNeighbours(candidates)) {
+        }
         return m_uses;
     }
 
@@ -157,8 +159,8 @@ void append(RiggedMesh& to, const RiggedMesh& from, const PartRange& range)
     if (!from.skeleton.empty())
         add(to.skeleton.weights, from.skeleton.weights);
     for (std::size_t t = 0; t < range.triangles; ++t)
-        to.triangles.push_back(from.triangles[range.firstTriangle + t] -
-                               static_cast<std::uint32_t>(range.firstVertex) + first);
+        to.triangles.push_back(from.triangles[range.firstTriangle + t] - static_cast<std::uint32_t>(range.firstVertex) +
+                               first);
 }
 
 /// Those that no part shows go.

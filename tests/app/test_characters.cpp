@@ -49,8 +49,7 @@ private Q_SLOTS:
 
     void hairGrowsOnTheScalpAlone()
     {
-        const Outcome outcome =
-            runProgram({QStringLiteral("export"), m_project, QStringLiteral("-o"), path("a.hair")});
+        const Outcome outcome = runProgram({QStringLiteral("export"), m_project, QStringLiteral("-o"), path("a.hair")});
         QCOMPARE(outcome.error, QString());
         const auto strands = readHair(path("a.hair"));
         QVERIFY(strands.size() > 100);
@@ -75,13 +74,12 @@ private Q_SLOTS:
             const int texture = material[QLatin1String("pbrMetallicRoughness")][QLatin1String("baseColorTexture")]
                                         [QLatin1String("index")]
                                             .toInt(-1);
-            const int image =
-                json[QLatin1String("textures")][texture][QLatin1String("source")].toInt(-1);
+            const int image = json[QLatin1String("textures")][texture][QLatin1String("source")].toInt(-1);
             const QJsonValue view = json[QLatin1String("bufferViews")]
                                         [json[QLatin1String("images")][image][QLatin1String("bufferView")].toInt(-1)];
             const qsizetype bin = 28 + qFromLittleEndian<quint32>(vrm.constData() + 12);
-            const QImage picture = QImage::fromData(vrm.sliced(bin + view[QLatin1String("byteOffset")].toInt(),
-                                                               view[QLatin1String("byteLength")].toInt()));
+            const QImage picture = QImage::fromData(
+                vrm.sliced(bin + view[QLatin1String("byteOffset")].toInt(), view[QLatin1String("byteLength")].toInt()));
             QCOMPARE(picture.size(), QSize(64, 64));
             QCOMPARE(picture.pixelColor(2, 2), QColor(200, 30, 30));
             QCOMPARE(picture.pixelColor(18, 2), QColor(30, 30, 200));
@@ -92,9 +90,10 @@ private Q_SLOTS:
 
     void itsPartsAreDrawn()
     {
-        const Outcome outcome = runProgram({QStringLiteral("render"), m_project, QStringLiteral("-o"), path("a.png"),
-                                            QStringLiteral("--size"), QStringLiteral("400x400"), QStringLiteral("--fit"),
-                                            QStringLiteral("bust"), QStringLiteral("--hairs"), QStringLiteral("1")});
+        const Outcome outcome =
+            runProgram({QStringLiteral("render"), m_project, QStringLiteral("-o"), path("a.png"),
+                        QStringLiteral("--size"), QStringLiteral("400x400"), QStringLiteral("--fit"),
+                        QStringLiteral("bust"), QStringLiteral("--hairs"), QStringLiteral("1")});
         QCOMPARE(outcome.error, QString());
         const QImage picture(path("a.png"));
         int red = 0;

@@ -108,10 +108,8 @@ private Q_SLOTS:
         std::size_t v = 0;
         std::size_t t = 0;
         // Behind x = 0 the tile at the right; the ball's columns are cut there.
-        const QByteArray obj =
-            ballObject("head", glm::vec3(0.0F), 0.12F, true, v, t, [](glm::vec2 uv, glm::vec3 /*at*/) {
-                return glm::vec2(uv.x * 2.0F, uv.y);
-            });
+        const QByteArray obj = ballObject("head", glm::vec3(0.0F), 0.12F, true, v, t,
+                                          [](glm::vec2 uv, glm::vec3 /*at*/) { return glm::vec2(uv.x * 2.0F, uv.y); });
         Result<RiggedMesh> mesh = read(QStringLiteral("udim.obj"), obj);
         QVERIFY(mesh);
         QCOMPARE(mesh->parts.size(), std::size_t{2});
@@ -162,10 +160,12 @@ private Q_SLOTS:
     void aLargeTextureIsHalvedUntilItFits()
     {
         RiggedMesh character = test::makeCharacter();
-        character.textures[0] = test::chequered(5000, {255, 0, 0}, {0, 0, 255});
+        character.textures[0] = {.width = 5000, .height = 8, .rgba = std::vector<std::uint8_t>(160'000, 255)};
         const Result<RiggedMesh> mesh = read(QStringLiteral("large.glb"), glbFromMesh(character));
         QVERIFY(mesh);
         QCOMPARE(mesh->textures.front().width, 2500U);
+        QCOMPARE(mesh->textures.front().height, 4U);
+        QVERIFY(!mesh->parts.back().hasLayout); // All its uvs are one.
     }
 };
 

@@ -110,8 +110,9 @@ QFormLayout* HeadImportDialog::buildForm()
                            "the maps stay as they are, for a head with the same layout."));
     m_carry->setChecked(true);
     m_ownLayout = new QCheckBox(tr("&Make a layout of our own"), this);
-    m_ownLayout->setToolTip(tr("Another UV layout, in which no two places of the skin share a texel. For heads without a "
-                               "layout, or whose left and right half lie over each other in it."));
+    m_ownLayout->setToolTip(
+        tr("Another UV layout, in which no two places of the skin share a texel. For heads without a "
+           "layout, or whose left and right half lie over each other in it."));
     form->addRow(m_height);
     form->addRow(m_carry);
     form->addRow(m_ownLayout);
@@ -204,8 +205,8 @@ void HeadImportDialog::followParts()
 bool HeadImportDialog::growsSomewhere() const
 {
     return m_source.parts.empty() || std::ranges::any_of(m_source.parts, [this](const model::MeshPart& part) {
-        return part.use == model::PartUse::Grows && (part.hasLayout || makesLayout());
-    });
+               return part.use == model::PartUse::Grows && (part.hasLayout || makesLayout());
+           });
 }
 
 bool HeadImportDialog::makesLayout() const

@@ -179,8 +179,7 @@ public:
                                             {QStringLiteral("wrapS"), 33071},
                                             {QStringLiteral("wrapT"), 33071}}};
             if (!m_partTextures.empty())
-                samplers.append(
-                    QJsonObject{{QStringLiteral("magFilter"), 9729}, {QStringLiteral("minFilter"), 9987}});
+                samplers.append(QJsonObject{{QStringLiteral("magFilter"), 9729}, {QStringLiteral("minFilter"), 9987}});
             root.insert(QStringLiteral("samplers"), samplers);
         }
         insert(QStringLiteral("extensionsUsed"), QJsonArray::fromStringList(m_extensions.keys()));
@@ -315,8 +314,8 @@ private:
         QJsonObject made{{QStringLiteral("name"), QString::fromStdString(part.name)},
                          {QStringLiteral("pbrMetallicRoughness"), surface}};
         if (part.alpha != sim::TextureAlpha::Opaque)
-            made.insert(QStringLiteral("alphaMode"), part.alpha == sim::TextureAlpha::Mask ? QStringLiteral("MASK")
-                                                                                         : QStringLiteral("BLEND"));
+            made.insert(QStringLiteral("alphaMode"),
+                        part.alpha == sim::TextureAlpha::Mask ? QStringLiteral("MASK") : QStringLiteral("BLEND"));
         if (part.doubleSided)
             made.insert(QStringLiteral("doubleSided"), true);
         return made;
