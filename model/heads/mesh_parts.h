@@ -31,7 +31,7 @@ struct MeshPart
 
     std::string name;     ///< Of the object; as isJointName() has it.
     std::string material; ///< Likewise; empty where it has none.
-    bool hasLayout = true;  ///< Else all its uvs are 0.
+    bool hasLayout = true;  ///< Else all its uvs are the same.
     glm::ivec2 tile{0};     ///< Of the uv plane, where its layout lay before it was moved to 0..1; 0 .. kMostTiles - 1.
     glm::vec3 colour{0.8F}; ///< Linear, 0..1; times the texture.
     PartAlpha alpha = PartAlpha::Opaque;

@@ -1,6 +1,7 @@
 // Parts of a character: bodies that show a picture by their uvs, and are not there where its alpha is none.
 #include "tests/rendering/renderer_fixture.h"
 #include "tests/support/test_program.h"
+#include "view/rendering/software/software_renderer.h"
 
 #include <QtTest>
 
@@ -69,6 +70,15 @@ private Q_SLOTS:
             QVERIFY(left.x > 2 * std::max(left.y, left.z));
             QVERIFY(right.z < 2 * std::max(right.x, right.y)); // The head behind it.
         }
+    }
+
+private:
+    /// By software, then by OpenGL.
+    std::array<Picture, 2> drawnByBoth(const Scene& scene)
+    {
+        constexpr rendering::Quality kFine{.samples = 4};
+        rendering::SoftwareRenderer software;
+        return {drawn(software, scene, kFine), draw(scene, kFine)};
     }
 };
 

@@ -205,6 +205,8 @@ HWY_INLINE void lightSamples(const HeadBand& band, const std::int32_t* xs, const
     point.lids = blended(14);
     point.blush = blended(15);
     point.isTinted = band.isTinted;
+    point.tint = {Lanes(0.0F), Lanes(0.0F), Lanes(0.0F)};
+    point.untinted = Lanes(1.0F);
     if (point.isTinted) {
         point.tint = {blended(16), blended(17), blended(18)};
         point.untinted = Lanes(1.0F) - blended(19);
