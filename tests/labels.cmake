@@ -39,7 +39,7 @@ set(hairpaint_label_rows
     "app\\.monkey" "window memory"
     "app\\.(broken_files|ended_window|error_sentences|killed_window|long_work|odd_clock|recovery|recovery_trouble|repair_damage)" "fault"
     "app\\.(open_file|silent_disk|silent_exchange)" "window"
-    "app\\.(avatar_command|command_line|export_command|new_command|render_command)" "program memory"
+    "app\\.(avatar_command|characters|command_line|export_command|new_command|render_command)" "program memory"
     "app\\.(bounds|drawn_images|installed|odd_names|unwritable_paths)" "program"
     "app\\..*" "window"
 )

@@ -567,6 +567,18 @@
         <source>each image of it as the map that its name tells: Scalp-density.png, head_length.0001.exr</source>
         <translation>cada imagen de esa carpeta como el mapa que dice su nombre: Scalp-density.png, head_length.0001.exr</translation>
     </message>
+    <message>
+        <source>a part of that mesh, or its material, that comes in; all unless given; may be given again for more</source>
+        <translation>una parte de esa malla, o su material, que entra; todas si no se indica; puede repetirse para más</translation>
+    </message>
+    <message>
+        <source>a part that hair grows on; that with the scalp unless given; may be given again for more</source>
+        <translation>una parte en la que crece pelo; la del cuero cabelludo si no se indica; puede repetirse para más</translation>
+    </message>
+    <message>
+        <source>a uv layout made anew, in which no two points share a texel</source>
+        <translation>un despliegue uv hecho de nuevo, en el que no hay dos puntos que compartan un téxel</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -1379,6 +1391,34 @@
     <message>
         <source>its hair is in other files, which it refers to; export it flattened into one</source>
         <translation>su pelo está en otros archivos a los que remite; expórtalo aplanado en uno solo</translation>
+    </message>
+    <message>
+        <source>it has no part &apos;%1&apos;; it has %2</source>
+        <translation>no tiene ninguna parte «%1»; tiene %2</translation>
+    </message>
+    <message>
+        <source>its part &apos;%1&apos; has no uv coordinates to paint on; choose another, or a layout of our own</source>
+        <translation>su parte «%1» no tiene coordenadas uv en las que pintar; elige otra, o un despliegue propio</translation>
+    </message>
+    <message>
+        <source>hair is to grow on none of its parts; choose one</source>
+        <translation>no crece pelo en ninguna de sus partes; elige una</translation>
+    </message>
+    <message>
+        <source>without uv coordinates, so no hair grows there: %1</source>
+        <translation>sin coordenadas uv, así que ahí no crece pelo: %1</translation>
+    </message>
+    <message>
+        <source>its uv tiles lie side by side on the maps: 1001, %1</source>
+        <translation>sus mosaicos uv están uno junto a otro en los mapas: 1001, %1</translation>
+    </message>
+    <message>
+        <source>its left and right half share %1 % of the texels: what is painted on one grows on both; a layout of our own parts them</source>
+        <translation>sus mitades izquierda y derecha comparten el %1 % de los téxeles: lo que se pinta en una crece en ambas; un despliegue propio las separa</translation>
+    </message>
+    <message>
+        <source>parts of its skin share %1 % of the texels: what is painted on one grows on all; a layout of our own parts them</source>
+        <translation>partes de su piel comparten el %1 % de los téxeles: lo que se pinta en una crece en todas; un despliegue propio las separa</translation>
     </message>
 </context>
 <context>
@@ -5349,6 +5389,58 @@ Se ha perdido esto:</translation>
             <numerusform>%Ln triángulo, %1 cm de alto; la unidad y el eje son los que dice el archivo.</numerusform>
             <numerusform>%Ln triángulos, %1 cm de alto; la unidad y el eje son los que dice el archivo.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>To the front</source>
+        <translation>Hacia delante</translation>
+    </message>
+    <message>
+        <source>To the left</source>
+        <translation>Hacia la izquierda</translation>
+    </message>
+    <message>
+        <source>To the back</source>
+        <translation>Hacia atrás</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>Hacia la derecha</translation>
+    </message>
+    <message>
+        <source>The &amp;face looks</source>
+        <translation>La &amp;cara mira</translation>
+    </message>
+    <message>
+        <source>&amp;Make a layout of our own</source>
+        <translation>Hacer un &amp;despliegue propio</translation>
+    </message>
+    <message>
+        <source>Another UV layout, in which no two places of the skin share a texel. For heads without a layout, or whose left and right half lie over each other in it.</source>
+        <translation>Otro despliegue UV, en el que no hay dos lugares de la piel que compartan un téxel. Para cabezas sin despliegue, o cuyas mitades izquierda y derecha se solapan en él.</translation>
+    </message>
+    <message>
+        <source>Parts of the character</source>
+        <translation>Partes del personaje</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Parte</translation>
+    </message>
+    <message>
+        <source>Comes in</source>
+        <translation>Entra</translation>
+    </message>
+    <message>
+        <source>Hair grows</source>
+        <translation>Crece pelo</translation>
+    </message>
+    <message>
+        <source>It has no UV coordinates.</source>
+        <translation>No tiene coordenadas UV.</translation>
+    </message>
+    <message>
+        <source>Tick a part that hair is to grow on; one without UV coordinates needs a layout of our own.</source>
+        <translation>Marca una parte en la que crezca pelo; una sin coordenadas UV necesita un despliegue propio.</translation>
     </message>
 </context>
 <context>

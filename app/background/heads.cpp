@@ -2,6 +2,7 @@
 #include "app/background/heads.h"
 
 #include "model/files/glb.h"
+#include "model/files/part_selection.h"
 #include "model/values/sentences.h"
 
 #include <QFileInfo>
@@ -23,12 +24,6 @@ model::Result<ImportedHead> importHead(const QString& path, const model::HeadCho
     model::Result<model::RiggedMesh> mesh = model::ImporterClient().readMesh(path, progress);
     if (!mesh)
         return tl::unexpected(mesh.error());
-    if (!model::hasLayout(*mesh))
-        return model::cannotOpen(
-            path, model::Clause{.text = model::say(QT_TRANSLATE_NOOP("Files", "all its uv coordinates are the same, so "
-                                                                              "there is nothing to paint on; unwrap it "
-                                                                              "in a 3D program first")),
-                                .cure = model::Clause::Cure::OtherFile});
     const model::HeadGuess guess = model::chosen(model::guessHead(*mesh), choice);
     if (choice.facing && !model::turnToFront(*mesh, guess.upAxis, *choice.facing))
         return model::cannotOpen(
@@ -36,7 +31,22 @@ model::Result<ImportedHead> importHead(const QString& path, const model::HeadCho
                                                                               "is up; choose another axis for one of "
                                                                               "them")),
                                 .cure = model::Clause::Cure::OtherFile});
-    return remakeHead(QFileInfo(path).completeBaseName(), model::glbFromMesh(*mesh), guess, progress);
+    if (const model::Checked<void> parts = model::choosePartsBy(*mesh, choice, guess); !parts)
+        return model::cannotOpen(path, parts.error());
+    return headOf(path, *mesh, choice.ownLayout, guess, progress);
+}
+
+model::Result<ImportedHead> headOf(const QString& path, const model::RiggedMesh& source, bool ownLayout,
+                                   const model::HeadGuess& guess, const model::Progress& progress)
+{
+    model::Checked<model::ChosenHead> head = model::headOfParts(source, ownLayout);
+    if (!head)
+        return model::cannotOpen(path, head.error());
+    model::Result<ImportedHead> made =
+        remakeHead(QFileInfo(path).completeBaseName(), model::glbFromMesh(head->mesh), guess, progress);
+    if (made)
+        made->remarks = std::move(head->remarks);
+    return made;
 }
 
 model::Result<ImportedHead> remakeHead(const QString& name, const QByteArray& sourceGlb, const model::HeadGuess& guess,

@@ -4,6 +4,8 @@
 #include "model/files/head_file.h"
 #include "model/files/importer_client.h"
 
+#include <QStringList>
+
 namespace hairpaint::app {
 
 struct ImportedHead
@@ -12,11 +14,15 @@ struct ImportedHead
     std::vector<sim::Ellipsoid> ellipsoids; ///< Fitted.
     QByteArray sourceGlb;
     model::HeadGuess guess; ///< The unit and axis it was made with.
+    QStringList remarks{};  ///< On its parts and layout; see model::ChosenHead.
 };
 
 /// Any mesh that the helper reads and that has uvs, in the space that the user or the file tells. Blocking; any thread.
 [[nodiscard]] model::Result<ImportedHead> importHead(const QString& path, const model::HeadChoice& choice = {},
                                                      const model::Progress& progress = {});
+/// Of a mesh whose parts were chosen (see model::choosePartsBy).
+[[nodiscard]] model::Result<ImportedHead> headOf(const QString& path, const model::RiggedMesh& source, bool ownLayout,
+                                                 const model::HeadGuess& guess, const model::Progress& progress = {});
 /// The same source with another unit and axis.
 [[nodiscard]] model::Result<ImportedHead> remakeHead(const QString& name, const QByteArray& sourceGlb,
                                                      const model::HeadGuess& guess,

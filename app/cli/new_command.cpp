@@ -181,6 +181,11 @@ ExitCode runNew(const QStringList& arguments)
         model::Result<ImportedHead> head = importHead(mesh, *headSpace);
         if (!head)
             return failed(head.error());
+        QStringList lines;
+        for (const QString& remark : head->remarks)
+            lines.append(QStringLiteral("%1: %2").arg(model::shownPath(mesh), remark));
+        if (!lines.isEmpty())
+            (void)printLines(lines);
         project.head = std::move(head->head);
         project.setShapesOfHead(head->ellipsoids);
     }

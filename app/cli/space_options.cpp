@@ -89,6 +89,13 @@ std::optional<model::HeadChoice> headSpaceOptions(const QCommandLineParser& pars
         return std::nullopt;
     if (metres > 0.0F)
         choice.metresPerUnit = metres;
+    const auto names = [&parser](const QString& option) {
+        const QStringList given = parser.values(option);
+        return std::vector<QString>(given.begin(), given.end());
+    };
+    choice.comingIn = names(QStringLiteral("head-part"));
+    choice.growing = names(QStringLiteral("grow-on"));
+    choice.ownLayout = parser.isSet(QStringLiteral("own-layout"));
     return choice;
 }
 

@@ -11,7 +11,7 @@ namespace hairpaint::app {
 /// The unit and axis of curves; none where either is nonsense, with the usage printed.
 [[nodiscard]] std::optional<model::CurveSpaceChoice> curveSpaceOptions(const QCommandLineParser& parser,
                                                                        const char* command);
-/// --head-unit, --head-axis and --head-facing, likewise.
+/// --head-unit, --head-axis and --head-facing, likewise, and --head-part, --grow-on and --own-layout.
 [[nodiscard]] std::optional<model::HeadChoice> headSpaceOptions(const QCommandLineParser& parser, const char* command);
 
 } // namespace hairpaint::app

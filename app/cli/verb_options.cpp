@@ -93,6 +93,16 @@ std::vector<CommandOption> newOptions()
         {QStringLiteral("--head-facing AXIS"),
          CommandLine::tr("where the face of that mesh looks: x, -x, y, -y, z or -z; z, or -y where z points up, unless "
                          "given")},
+        {QStringLiteral("--head-part NAME"),
+         CommandLine::tr(
+             "a part of that mesh, or its material, that comes in; all unless given; may be given again for "
+             "more"),
+         Use::Repeated},
+        {QStringLiteral("--grow-on NAME"),
+         CommandLine::tr("a part that hair grows on; that with the scalp unless given; may be given again for more"),
+         Use::Repeated},
+        {QStringLiteral("--own-layout"),
+         CommandLine::tr("a uv layout made anew, in which no two points share a texel")},
         {QStringLiteral("--preset NAME"), CommandLine::tr("a style of the library")},
         {QStringLiteral("--curves ") + fileWith(model::curveFileEndings()),
          CommandLine::tr("hair of another program as hair groups: its density, length, direction, curl and "

@@ -43,9 +43,11 @@ void HeadExchange::importHeadFrom(const QString& path)
     if (dialog.exec() != QDialog::Accepted)
         return;
     const model::HeadGuess guess{.unitScale = dialog.unitScale(), .upAxis = dialog.upAxis()};
+    model::RiggedMesh source = dialog.source();
+    (void)model::turnToFront(source, guess.upAxis, dialog.facing()); // It never looks up.
     const std::optional<model::Result<ImportedHead>> made =
         m_files.jobs().await<ImportedHead>(preparing(name), [&](const model::Progress& progress) {
-            return remakeHead(QFileInfo(path).completeBaseName(), model::glbFromMesh(*mesh), guess, progress);
+            return headOf(path, source, dialog.makesLayout(), guess, progress);
         });
     if (!made)
         return;
@@ -55,6 +57,8 @@ void HeadExchange::importHeadFrom(const QString& path)
     if (dialog.carriesHair() && (head = withLandmarksAsked(head)) == nullptr)
         return;
     replaceHead(head, (*made)->ellipsoids, dialog.carriesHair());
+    if (!(*made)->remarks.isEmpty())
+        m_files.tell(name + QStringLiteral(": ") + (*made)->remarks.join(QStringLiteral("; ")));
 }
 
 std::shared_ptr<const model::Head> HeadExchange::withLandmarksAsked(const std::shared_ptr<const model::Head>& head)

@@ -25,11 +25,13 @@ PictureMaker::PictureMaker() : m_renderer(std::make_unique<rendering::SoftwareRe
 rendering::Scene pictureScene(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
                               const rendering::Camera& camera)
 {
+    std::vector<rendering::Solid> solids = view::sceneSolids(project.worn, project.head->skin.get());
+    std::ranges::move(view::sceneParts(project.head.get()), std::back_inserter(solids));
     return {.head = project.head->shownMesh,
             .headInMotion = {},
             .hair = std::move(frame),
             .cards = {},
-            .solids = view::sceneSolids(project.worn, project.head->skin.get()),
+            .solids = std::move(solids),
             .camera = camera,
             .light = view::sceneLight(project.light),
             .skin = view::sceneSkin(project.skin),

@@ -2,14 +2,17 @@
 #include "app/importer/assimp_scene.h"
 
 #include "app/importer/plain_files.h"
+#include "model/values/srgb.h"
 #include "sim/skin/head_limits.h"
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/Importer.hpp>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string_view>
 #include <unordered_map>
 
@@ -100,6 +103,8 @@ private:
                 if (face.mIndices[corner] >= mesh.mNumVertices)
                     return false;
         }
+        own.name = textOf(mesh.mName);
+        own.material = static_cast<int>(mesh.mMaterialIndex);
         m_triangles += own.triangles.size();
         addBones(mesh, own);
         return m_triangles <= sim::kMostTriangles;
@@ -124,6 +129,59 @@ private:
     std::unordered_map<std::string, int> m_byName{};
     std::size_t m_triangles = 0;
 };
+
+/// The bytes of a texture inside the scene or in the model's folder, where exporters leave whole paths of their own;
+/// empty where there is none.
+std::vector<std::byte> textureBytes(const aiScene& scene, const ModelFolder& folder, const aiString& named)
+{
+    if (const aiTexture* const inside = scene.GetEmbeddedTexture(named.C_Str())) {
+        if (inside->mHeight != 0 || inside->pcData == nullptr) // Texels without a file's form are rare.
+            return {};
+        const auto* const bytes = reinterpret_cast<const std::byte*>(inside->pcData);
+        return {bytes, bytes + inside->mWidth};
+    }
+    std::string name = textOf(named);
+    std::ranges::replace(name, '\\', '/');
+    if (name.empty() || name.front() == '*' || name.find('\0') != std::string::npos)
+        return {};
+    for (const std::string& candidate : {name, ModelFolder::nameOf(name)}) {
+        const std::string path = folder.pathOf(candidate);
+        if (!folder.mayBeRead(path) || !ModelFolder::isOrdinary(path))
+            continue;
+        if (tl::expected<std::vector<std::byte>, wire::Refusal> bytes = bytesOfFile(path))
+            return *std::move(bytes);
+    }
+    return {};
+}
+
+void copyMaterials(const aiScene& scene, const ModelFolder& folder, ForeignScene& copied)
+{
+    std::map<std::string, int> images;
+    for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
+        const aiMaterial& told = *scene.mMaterials[i];
+        SceneMaterial& own = copied.materials.emplace_back();
+        aiString text;
+        if (told.Get(AI_MATKEY_NAME, text) == aiReturn_SUCCESS && text != aiString(AI_DEFAULT_MATERIAL_NAME))
+            own.name = textOf(text);
+        aiColor4D colour;
+        if (told.Get(AI_MATKEY_BASE_COLOR, colour) == aiReturn_SUCCESS)
+            own.colour = {colour.r, colour.g, colour.b};
+        else if (told.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS)
+            for (int c = 0; c < 3; ++c) // As exporters write what is seen.
+                own.colour[c] = model::linearFromSrgb(std::clamp(colour[static_cast<unsigned>(c)], 0.0F, 1.0F));
+        int isTwoSided = 0;
+        own.doubleSided = told.Get(AI_MATKEY_TWOSIDED, isTwoSided) == aiReturn_SUCCESS && isTwoSided != 0;
+        if (told.GetTextureCount(aiTextureType_OPACITY) > 0)
+            own.alpha = model::PartAlpha::Mask;
+        if (told.GetTexture(aiTextureType_BASE_COLOR, 0, &text) != aiReturn_SUCCESS &&
+            told.GetTexture(aiTextureType_DIFFUSE, 0, &text) != aiReturn_SUCCESS)
+            continue;
+        const auto [known, isNew] = images.try_emplace(textOf(text), static_cast<int>(copied.images.size()));
+        if (isNew)
+            copied.images.push_back(textureBytes(scene, folder, text));
+        own.image = known->second;
+    }
+}
 
 /// A whole number of an FBX's settings.
 int settingOf(const aiMetadata& settings, const char* name, int otherwise)
@@ -240,6 +298,7 @@ tl::expected<ForeignScene, wire::Refusal> readByAssimp(const std::string& path)
     if (!copy.copy())
         return tl::unexpected(wire::Reason::TooLarge);
     ForeignScene& copied = copy.copied;
+    copyMaterials(*scene, ModelFolder(path), copied);
     if (ending == ".fbx" && scene->mMetaData != nullptr)
         followFbx(copied, *scene->mMetaData);
     else if (ending == ".dae" || ending == ".zae")

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -33,6 +34,17 @@ struct SceneMesh
     std::vector<glm::uvec3> triangles;
     std::vector<SceneBone> bones;
     std::vector<VertexWeight> weights;
+    std::string name = {};
+    int material = -1; ///< Of the scene's; none: -1.
+};
+
+struct SceneMaterial
+{
+    std::string name;
+    glm::vec3 colour{0.8F}; ///< Linear.
+    model::PartAlpha alpha = model::PartAlpha::Opaque;
+    bool doubleSided = false;
+    int image = -1; ///< Of the scene's, the base colour's; none: -1.
 };
 
 struct SceneNode
@@ -50,6 +62,8 @@ struct ForeignScene
 {
     std::vector<SceneNode> nodes; ///< At least one.
     std::vector<SceneMesh> meshes;
+    std::vector<SceneMaterial> materials;
+    std::vector<std::vector<std::byte>> images; ///< As their files are; empty where one could not be had.
     /// Skinned meshes stand where their joints put them, whatever their own nodes say (as in glTF).
     bool boundByJoints = false;
     model::ToldSpace told = {};

@@ -112,6 +112,16 @@ float normalizedNumber(float number, int componentType)
     }
 }
 
+GltfData::Read<BufferBytes> GltfData::uri(const std::string& named) const
+{
+    if (!isDataUri(named))
+        return m_reader(named);
+    std::optional<BufferBytes> bytes = dataOfUri(named);
+    if (!bytes)
+        return malformed("data in it is no base64");
+    return *std::move(bytes);
+}
+
 const tinygltf::Accessor* GltfData::find(int accessor) const
 {
     const std::vector<tinygltf::Accessor>& all = m_file.model.accessors;

@@ -26,6 +26,8 @@ public:
 
     /// Decompressed where it is compressed (EXT_meshopt_compression).
     [[nodiscard]] Read<Bytes> view(int index);
+    /// What a URI names, inside the file or beside it.
+    [[nodiscard]] Read<BufferBytes> uri(const std::string& named) const;
     /// `components` numbers an element, by the accessor's normalization. At most `most` elements.
     [[nodiscard]] Read<std::vector<float>> floats(int accessor, int components, std::size_t most);
     /// The same of whole numbers, none of which is below 0.

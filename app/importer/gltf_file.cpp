@@ -107,6 +107,19 @@ std::vector<GltfFile::Buffer> buffersIn(const Json& root)
     return buffers;
 }
 
+std::vector<GltfFile::Image> imagesIn(const Json& root)
+{
+    std::vector<GltfFile::Image> images;
+    for (const Json& own : memberOf(root, "images")) {
+        GltfFile::Image& image = images.emplace_back();
+        if (const Json& uri = memberOf(own, "uri"); uri.is_string())
+            image.uri = uri.get<std::string>();
+        if (const Json& view = memberOf(own, "bufferView"); view.is_number_unsigned())
+            image.view = view.get<int>();
+    }
+    return images;
+}
+
 /// tinygltf refuses compressed meshes whose indices have no bytes of their own.
 void takeOutIndices(Json& root)
 {
@@ -126,7 +139,7 @@ Json description(Json& root)
 {
     constexpr std::array kNeeded = {
         "asset",  "extensionsRequired", "bufferViews", "accessors", "meshes", "nodes", "scene",
-        "scenes", "materials",          "skins"};
+        "scenes", "materials",          "skins",       "textures"};
     Json needed = Json::object();
     for (const char* name : kNeeded)
         if (const auto found = root.find(name); found != root.end())
@@ -165,6 +178,7 @@ tl::expected<GltfFile, wire::Refusal> parsedGltf(std::vector<std::byte> bytes)
     file.bones = vrmBones(root);
     file.facesBack = facesBack(root);
     file.buffers = buffersIn(root);
+    file.images = imagesIn(root);
     takeOutIndices(root);
     const std::string text = description(root).dump(-1, ' ', false, Json::error_handler_t::replace);
     root = Json();

@@ -23,9 +23,16 @@ struct GltfFile
         std::size_t byteLength = 0;
     };
 
-    /// Nodes, meshes, accessors, buffer views, skins and materials; no buffers, images or animations.
+    struct Image
+    {
+        std::string uri; ///< Empty where it lies in a view.
+        int view = -1;
+    };
+
+    /// Nodes, meshes, accessors, buffer views, skins, materials and textures; no buffers, images or animations.
     tinygltf::Model model;
     std::vector<Buffer> buffers;
+    std::vector<Image> images;
     std::vector<std::byte> bytes;     ///< The whole file,
     std::span<const std::byte> chunk; ///< and the binary chunk in it; empty where there is none.
     BoneNames bones;

@@ -204,6 +204,7 @@ Read<void> PrimitiveReader::readWeights(SceneMesh& mesh, const GltfSkin& skin)
 Read<SceneMesh> PrimitiveReader::read(const GltfSkin* skin, const std::vector<double>& morphs)
 {
     SceneMesh mesh;
+    mesh.material = m_primitive.material;
     if (m_primitive.mode >= 0 && m_primitive.mode < TINYGLTF_MODE_TRIANGLES)
         return mesh; // Points and lines.
     if (const Read<void> decoded = decompress(); !decoded)

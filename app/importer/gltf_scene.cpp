@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <fstream>
 #include <string_view>
 #include <utility>
 
@@ -22,8 +20,6 @@ namespace {
 
 template<typename T>
 using Read = tl::expected<T, wire::Refusal>;
-
-constexpr std::uintmax_t kMostFileBytes = 1U << 30U;
 
 /// Those that leave the mesh as it is, or are followed.
 bool isKnownExtension(std::string_view name)
@@ -98,6 +94,9 @@ private:
     [[nodiscard]] Read<void> addMeshes();
     [[nodiscard]] Read<void> addMesh(int node);
     [[nodiscard]] Read<const GltfSkin*> skin(int index);
+    /// What can't be had is left out: a character without its textures is better than none.
+    void addMaterials();
+    void addImages();
 
     const GltfFile& m_file;
     GltfData m_data;
@@ -233,6 +232,7 @@ Read<void> SceneMaker::addMesh(int node)
             return tl::unexpected(wire::Reason::TooLarge);
         if (read->triangles.empty())
             continue;
+        read->name = mesh.name;
         there.push_back(static_cast<int>(m_scene.meshes.size()));
         m_scene.meshes.push_back(std::move(*read));
     }
@@ -252,6 +252,53 @@ Read<void> SceneMaker::addMeshes()
     return {};
 }
 
+void SceneMaker::addMaterials()
+{
+    const tinygltf::Model& model = m_file.model;
+    for (const tinygltf::Material& told : model.materials) {
+        SceneMaterial& own = m_scene.materials.emplace_back();
+        own.name = told.name;
+        own.doubleSided = told.doubleSided;
+        own.alpha = told.alphaMode == "MASK"    ? model::PartAlpha::Mask
+                    : told.alphaMode == "BLEND" ? model::PartAlpha::Blend
+                                                : model::PartAlpha::Opaque;
+        const std::vector<double>& factor = told.pbrMetallicRoughness.baseColorFactor;
+        for (std::size_t i = 0; i < 3 && i < factor.size(); ++i)
+            own.colour[static_cast<int>(i)] = static_cast<float>(factor[i]);
+        const int texture = told.pbrMetallicRoughness.baseColorTexture.index;
+        if (texture < 0 || static_cast<std::size_t>(texture) >= model.textures.size())
+            continue;
+        const tinygltf::Texture& named = model.textures[static_cast<std::size_t>(texture)];
+        own.image = named.source;
+        if (const auto webp = named.extensions.find("EXT_texture_webp"); webp != named.extensions.end())
+            if (const tinygltf::Value& source = webp->second.Get("source"); own.image < 0 && source.IsInt())
+                own.image = source.GetNumberAsInt();
+        if (own.image < 0 || static_cast<std::size_t>(own.image) >= m_file.images.size())
+            own.image = -1;
+    }
+}
+
+void SceneMaker::addImages()
+{
+    std::vector<bool> isShown(m_file.images.size());
+    for (const SceneMesh& mesh : m_scene.meshes)
+        if (mesh.material >= 0 && static_cast<std::size_t>(mesh.material) < m_scene.materials.size())
+            if (const int image = m_scene.materials[static_cast<std::size_t>(mesh.material)].image; image >= 0)
+                isShown[static_cast<std::size_t>(image)] = true;
+    m_scene.images.resize(m_file.images.size());
+    for (std::size_t i = 0; i < isShown.size(); ++i) {
+        const GltfFile::Image& told = m_file.images[i];
+        if (!isShown[i])
+            continue;
+        if (!told.uri.empty()) {
+            if (Read<std::vector<std::byte>> bytes = m_data.uri(told.uri))
+                m_scene.images[i] = std::move(*bytes);
+        } else if (const Read<GltfData::Bytes> bytes = m_data.view(told.view)) {
+            m_scene.images[i].assign(bytes->begin(), bytes->end());
+        }
+    }
+}
+
 Read<ForeignScene> SceneMaker::make()
 {
     for (const std::string& name : m_file.model.extensionsRequired)
@@ -267,26 +314,12 @@ Read<ForeignScene> SceneMaker::make()
         addTree(root, roots.size() != 1 ? 0 : -1);
     if (const Read<void> added = addMeshes(); !added)
         return tl::unexpected(added.error());
+    addMaterials();
+    addImages();
     if (m_file.facesBack)
         m_scene.nodes.front().toParent =
             glm::mat4({-1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -1, 0}, {0, 0, 0, 1}) * m_scene.nodes.front().toParent;
     return std::move(m_scene);
-}
-
-Read<std::vector<std::byte>> bytesOfFile(const std::string& path)
-{
-    const std::filesystem::path file = reinterpret_cast<const char8_t*>(path.c_str());
-    std::error_code problem;
-    const std::uintmax_t size = std::filesystem::file_size(file, problem);
-    std::ifstream stream(file, std::ios::binary);
-    if (problem || !stream)
-        return tl::unexpected(wire::Reason::CannotOpen);
-    if (size > kMostFileBytes)
-        return tl::unexpected(wire::Reason::TooLarge);
-    std::vector<std::byte> bytes(static_cast<std::size_t>(size));
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    return stream || bytes.empty() ? Read<std::vector<std::byte>>(std::move(bytes))
-                                   : tl::unexpected(wire::Refusal(wire::Reason::CannotOpen));
 }
 
 /// As the standard has it, and as writers have it that do not encode what they name.

@@ -4,6 +4,7 @@
 #include "app/importer/assimp_scene.h"
 #include "app/importer/gltf_scene.h"
 #include "app/importer/scene_flattener.h"
+#include "app/importer/texture_input.h"
 
 #include <algorithm>
 #include <array>
@@ -39,7 +40,10 @@ tl::expected<model::RiggedMesh, wire::Refusal> readMesh(const std::string& path)
     const tl::expected<ForeignScene, wire::Refusal> scene = readScene(path);
     if (!scene)
         return tl::unexpected(scene.error());
-    return flattened(*scene);
+    tl::expected<model::RiggedMesh, wire::Refusal> mesh = flattened(*scene);
+    if (mesh)
+        decodeTextures(*mesh, scene->images);
+    return mesh;
 }
 
 } // namespace hairpaint::importer

@@ -2,6 +2,7 @@
 #include "app/importer/model_folder.h"
 
 #include <algorithm>
+#include <fstream>
 #include <system_error>
 
 namespace hairpaint::importer {
@@ -51,6 +52,24 @@ bool ModelFolder::isOrdinary(const std::string& file)
 std::string ModelFolder::nameOf(const std::string& file)
 {
     return toUtf8(fromUtf8(file).filename());
+}
+
+tl::expected<std::vector<std::byte>, wire::Refusal> bytesOfFile(const std::string& path)
+{
+    constexpr std::uintmax_t kMostFileBytes = 1U << 30U;
+    const std::filesystem::path file = fromUtf8(path);
+    std::error_code problem;
+    const std::uintmax_t size = std::filesystem::file_size(file, problem);
+    std::ifstream stream(file, std::ios::binary);
+    if (problem || !stream)
+        return tl::unexpected(wire::Reason::CannotOpen);
+    if (size > kMostFileBytes)
+        return tl::unexpected(wire::Reason::TooLarge);
+    std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    if (!stream && !bytes.empty())
+        return tl::unexpected(wire::Reason::CannotOpen);
+    return bytes;
 }
 
 } // namespace hairpaint::importer

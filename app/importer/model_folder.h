@@ -1,8 +1,14 @@
 // The folder that a model lies in, and what may be read there.
 #pragma once
 
+#include "model/files/wire_format.h"
+
+#include <tl/expected.hpp>
+
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace hairpaint::importer {
 
@@ -27,5 +33,8 @@ private:
     std::filesystem::path m_named;  ///< The folder as the model's path has it.
     std::filesystem::path m_folder; ///< Without links; empty where that can't be told.
 };
+
+/// Of an ordinary file, at most 1 GiB; UTF-8.
+[[nodiscard]] tl::expected<std::vector<std::byte>, wire::Refusal> bytesOfFile(const std::string& path);
 
 } // namespace hairpaint::importer

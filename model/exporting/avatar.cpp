@@ -1,6 +1,7 @@
 // The head's skeleton and its bones.
 #include "model/exporting/avatar.h"
 
+#include "model/files/glb.h"
 #include "model/files/head_file.h"
 
 namespace hairpaint::model {
@@ -29,6 +30,13 @@ Checked<std::shared_ptr<const Avatar>> avatarOf(const Head& head, const QString&
     avatar->skeleton = std::move(*skeleton);
     avatar->bones = *bones;
     avatar->skin = head.skin;
+    avatar->parts = head.parts;
+    if (!head.parts.empty()) {
+        Checked<GlbParts> parts = partsFromGlb(head.sourceGlb);
+        if (!parts)
+            return tl::unexpected(parts.error());
+        avatar->partWeights = std::move(parts->weights);
+    }
     return avatar;
 }
 

@@ -20,7 +20,9 @@ struct Avatar
     QString author;        ///< Likewise.
     HeadSkeleton skeleton; ///< Hd.
     HumanoidBones bones;
-    std::shared_ptr<const sim::Skin> skin; ///< Whose vertices the skeleton's weights are for.
+    std::shared_ptr<const sim::Skin> skin;                  ///< Whose vertices the skeleton's weights are for.
+    std::vector<HeadPart> parts = {};                       ///< Of its body, Hd,
+    std::vector<std::vector<BoneWeights>> partWeights = {}; ///< with the weights of their vertices.
 };
 
 /// A clause that says what is missing and what to do, where the head has no such skeleton. Texts that are empty are

@@ -18,6 +18,10 @@ Result<void> addProject(ExportRequest& request, const Project& project, const QS
 {
     request.worn = project.worn;
     request.skinColour = skinLook(project.skin).skin;
+    if (project.head) {
+        request.parts = project.head->parts;
+        request.headTexture = project.head->texture;
+    }
     if (!request.format->isAvatar)
         return {};
     const Checked<std::shared_ptr<const Avatar>> avatar = avatarOf(*project.head, avatarName, request.author);
@@ -45,6 +49,8 @@ Result<void> exportHair(const std::shared_ptr<const sim::StrandFrame>& frame, co
             settings.avatar = request.avatar;
         settings.worn = request.worn;
         settings.skinColour = request.skinColour;
+        settings.parts = request.parts;
+        settings.headTexture = request.headTexture;
         return request.format->write(*curves, settings, path, part(kMeasured, 1.0));
     });
 }

@@ -24,10 +24,12 @@ struct ExportRequest
     const ExportTarget* target = nullptr;
     CurveOptions curves{};
     CardSettings cards{};
-    QString author{};                       ///< Of avatars; empty is "Unknown".
-    std::vector<Worn> worn{};               ///< See ExportSettings.
-    QRgb skinColour = 0xFF808080;           ///< Likewise.
-    std::shared_ptr<const Avatar> avatar{}; ///< There where the format is one of avatars.
+    QString author{};                                      ///< Of avatars; empty is "Unknown".
+    std::vector<HeadPart> parts{};                         ///< Of the head's character, Hd;
+    std::shared_ptr<const sim::MeshTexture> headTexture{}; ///< and what its file shows on the skin.
+    std::vector<Worn> worn{};                              ///< See ExportSettings.
+    QRgb skinColour = 0xFF808080;                          ///< Likewise.
+    std::shared_ptr<const Avatar> avatar{};                ///< There where the format is one of avatars.
 };
 
 /// Adds what the project gives: what is worn, colour of the skin, and the avatar, of that name, where the format is one

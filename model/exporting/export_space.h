@@ -3,6 +3,7 @@
 
 #include "model/exporting/cards/card_settings.h"
 
+#include "model/project/head_part.h"
 #include "model/project/worn.h"
 
 #include <QRgb>
@@ -35,11 +36,13 @@ struct ExportSpace
 struct ExportSettings
 {
     ExportSpace space;
-    bool groomColours = false;              ///< Its reader takes colours from Unreal's groom attributes alone.
-    CardSettings cards{};                   ///< For formats that make some;
-    std::vector<Worn> worn{};               ///< what keeps them out where they swing, and goes with the head.
-    QRgb skinColour = 0xFF808080;           ///< Of the head beside them.
-    std::shared_ptr<const Avatar> avatar{}; ///< Whose body that head is part of, for formats of avatars.
+    bool groomColours = false;     ///< Its reader takes colours from Unreal's groom attributes alone.
+    CardSettings cards{};          ///< For formats that make some;
+    std::vector<Worn> worn{};      ///< what keeps them out where they swing, and goes with the head.
+    std::vector<HeadPart> parts{}; ///< Beside the head's mesh, Hd.
+    std::shared_ptr<const sim::MeshTexture> headTexture{}; ///< Null where its file shows none.
+    QRgb skinColour = 0xFF808080;                          ///< Of the head beside them.
+    std::shared_ptr<const Avatar> avatar{};                ///< Whose body that head is part of, for formats of avatars.
 };
 
 } // namespace hairpaint::model

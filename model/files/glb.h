@@ -4,6 +4,7 @@
 #pragma once
 
 #include "model/heads/rigged_mesh.h"
+#include "model/project/head_part.h"
 #include "model/values/sentences.h"
 
 #include <QByteArray>
@@ -14,8 +15,19 @@ namespace hairpaint::model {
 [[nodiscard]] Checked<sim::HeadMesh> meshFromGlb(const QByteArray& glb);
 /// Of a mesh that was read; without joints where it has no skin.
 [[nodiscard]] Checked<HeadSkeleton> skeletonFromGlb(const QByteArray& glb);
-/// The same mesh gives the same bytes.
+/// Its meshes after the first, in the source's space, and what the first shows.
+struct GlbParts
+{
+    std::vector<HeadPart> parts;
+    std::vector<std::vector<BoneWeights>> weights; ///< By part; none where it has none.
+    std::shared_ptr<const sim::MeshTexture> texture;
+};
+[[nodiscard]] Checked<GlbParts> partsFromGlb(const QByteArray& glb);
+/// Of a mesh whose first part is the head, with the parts after it as meshes of their own. The same mesh gives the same
+/// bytes.
 [[nodiscard]] QByteArray glbFromMesh(const RiggedMesh& mesh);
+/// Of 8 bits a channel, without alpha where all of it is opaque.
+[[nodiscard]] QByteArray pngOfTexture(const sim::MeshTexture& texture);
 /// All of a binary glTF but its binary chunk's `binBytes` bytes, a multiple of 4, which follow.
 [[nodiscard]] QByteArray glbHead(const QJsonObject& json, quint32 binBytes);
 

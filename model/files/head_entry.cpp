@@ -7,7 +7,7 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr qint64 kMostHeadBytes = 192 << 20;
+constexpr qint64 kMostHeadBytes = 256 << 20;
 
 } // namespace
 

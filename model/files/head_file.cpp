@@ -184,6 +184,17 @@ std::optional<QString> problemOf(const sim::MeshBounds& bounds)
     return std::nullopt;
 }
 
+void append(sim::HeadMesh& whole, const sim::HeadMesh& part)
+{
+    const auto first = static_cast<std::uint32_t>(whole.positionsHd.size());
+    const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    add(whole.positionsHd, part.positionsHd);
+    add(whole.normalsHd, part.normalsHd);
+    add(whole.uvs, part.uvs);
+    for (const glm::uvec3& triangle : part.triangles)
+        whole.triangles.push_back(triangle + first);
+}
+
 /// A file may have them at any position. Those that lie on the skin stay as they are, bit for bit.
 void takeToSkin(sim::HeadLandmarks& landmarks, const sim::Skin& skin)
 {
@@ -268,11 +279,24 @@ Checked<std::shared_ptr<const Head>> headFromGlb(const QString& name, const QByt
         return tl::unexpected(source.error());
     if (const Checked<HeadSkeleton> skeleton = skeletonFromGlb(sourceGlb); !skeleton)
         return tl::unexpected(skeleton.error());
+    Checked<GlbParts> parts = partsFromGlb(sourceGlb);
+    if (!parts)
+        return tl::unexpected(parts.error());
     sim::HeadMesh mesh = std::move(*source);
-    for (glm::vec3& p : mesh.positionsHd)
-        p = turned(p, upAxis) * unitScale;
-    for (glm::vec3& n : mesh.normalsHd)
-        n = turned(n, upAxis);
+    const auto toHd = [&](sim::HeadMesh& own) {
+        for (glm::vec3& p : own.positionsHd)
+            p = turned(p, upAxis) * unitScale;
+        for (glm::vec3& n : own.normalsHd)
+            n = turned(n, upAxis);
+    };
+    toHd(mesh);
+    sim::HeadMesh touched = mesh; // What hair collides with.
+    for (HeadPart& part : parts->parts) {
+        auto own = std::make_shared<sim::HeadMesh>(*part.mesh);
+        toHd(*own);
+        append(touched, *own);
+        part.mesh = std::move(own);
+    }
     if (const std::optional<QString> problem = problemOf(sim::boundsOf(mesh)))
         return refuse(*problem, Clause::Cure::OtherFile);
     auto head = std::make_shared<Head>();
@@ -288,7 +312,9 @@ Checked<std::shared_ptr<const Head>> headFromGlb(const QString& name, const QByt
         return refuse(say(QT_TRANSLATE_NOOP("Files", "its mesh has no surface; choose another")),
                       Clause::Cure::OtherFile);
     head->shownMesh = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
-    head->distances = sim::DistanceGrid::make(head->skin->mesh(), [&goesOn](double) { return !goesOn || goesOn(); });
+    head->parts = std::move(parts->parts);
+    head->texture = std::move(parts->texture);
+    head->distances = sim::DistanceGrid::make(touched, [&goesOn](double) { return !goesOn || goesOn(); });
     const Head& known = *builtInHead();
     head->landmarks = landmarks ? landmarks
                                 : sim::findLandmarks(*head->skin, *known.skin, *known.landmarks,

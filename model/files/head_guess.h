@@ -5,6 +5,7 @@
 #include "model/project/project.h"
 
 #include <optional>
+#include <vector>
 
 namespace hairpaint::model {
 
@@ -25,6 +26,9 @@ struct HeadChoice
     std::optional<UpAxis> upAxis{};
     /// Where the face looks, an axis of the file's space.
     std::optional<glm::ivec3> facing{};
+    std::vector<QString> comingIn{}; ///< Names of parts or of their materials; all where there are none.
+    std::vector<QString> growing{};  ///< Likewise, of those that hair grows on; the likely ones where there are none.
+    bool ownLayout = false;          ///< Instead of the file's, one is made in which no two points share a texel.
 };
 /// `guess` but for what the user says.
 [[nodiscard]] HeadGuess chosen(HeadGuess guess, const HeadChoice& choice);

@@ -45,8 +45,11 @@ void toVersion2(QJsonObject& root)
 /// Version 3 adds the array `worn`; what was there before is as it was.
 void toVersion3(QJsonObject& /*root*/) {}
 
+/// Version 4 adds parts to head.glb.
+void toVersion4(QJsonObject& /*root*/) {}
+
 /// kSteps[n - 1] brings version n to n + 1.
-constexpr std::array<Step, kFormatVersion - 1> kSteps = {toVersion2, toVersion3};
+constexpr std::array<Step, kFormatVersion - 1> kSteps = {toVersion2, toVersion3, toVersion4};
 
 } // namespace
 

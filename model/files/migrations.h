@@ -7,7 +7,8 @@
 
 namespace hairpaint::model {
 
-inline constexpr int kFormatVersion = 3;      ///< The newest.
+inline constexpr int kFormatVersion = 4;      ///< The newest, of characters of several parts.
+inline constexpr int kWornFormatVersion = 3;  ///< Of files in which something is worn.
 inline constexpr int kPlainFormatVersion = 2; ///< Of files that need none newer, so that older programs read them.
 
 /// Errors: a clause, where the version is missing or newer than this program's.

@@ -223,6 +223,13 @@ Checked<void> parseRoots(const QJsonObject& root)
     return {};
 }
 
+int leastVersion(const Head* head, bool hasWorn)
+{
+    if (head != nullptr && (!head->parts.empty() || head->texture))
+        return kFormatVersion;
+    return hasWorn ? kWornFormatVersion : kPlainFormatVersion;
+}
+
 QByteArray toBytes(QJsonObject root, const char* format, int version)
 {
     root.insert(QStringLiteral("format"), QLatin1String(format));
@@ -234,7 +241,7 @@ QByteArray toBytes(QJsonObject root, const char* format, int version)
 
 int formatVersionOf(const Project& project)
 {
-    return needsWornArray(project.worn) ? kFormatVersion : kPlainFormatVersion;
+    return leastVersion(project.head.get(), needsWornArray(project.worn));
 }
 
 Checked<QByteArray> projectToJson(const Project& project)
@@ -336,7 +343,7 @@ Checked<QByteArray> presetToJson(const Preset& preset)
             tags.append(tag.left(kLongestName));
     root.insert(QStringLiteral("tags"), tags);
     root.insert(QStringLiteral("groups"), groupsToJson(preset.groups));
-    return toBytes(std::move(root), kPresetFormat, preset.worn.empty() ? kPlainFormatVersion : kFormatVersion);
+    return toBytes(std::move(root), kPresetFormat, leastVersion(preset.head.get(), !preset.worn.empty()));
 }
 
 Checked<PresetManifest> presetFromJson(const QByteArray& json)

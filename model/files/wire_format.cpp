@@ -17,6 +17,8 @@ constexpr std::array<char, 8> kMagic = {'H', 'P', 'W', 'I', 'R', 'E', '0', '1'};
 static_assert(std::endian::native == std::endian::little, "arrays are copied as they lie in memory");
 /// Of a joint's, without its name.
 constexpr std::uint64_t kJointBytes = 36;
+/// Of a part's, without its names.
+constexpr std::uint64_t kPartBytes = 52;
 static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::vec2) == 8 && sizeof(glm::uvec3) == 12);
 
 class Writer
@@ -95,7 +97,9 @@ std::uint64_t mostBodyBytes(Kind kind)
         return 64 + kMostPixels * 8;
     case Kind::Mesh:
         return 20 + (32ULL + sizeof(model::BoneWeights)) * sim::kMostVertices + 12ULL * sim::kMostTriangles +
-               (kJointBytes + model::HeadSkeleton::kLongestName) * model::HeadSkeleton::kMostJoints;
+               (kJointBytes + model::HeadSkeleton::kLongestName) * model::HeadSkeleton::kMostJoints + 8 +
+               (kPartBytes + 2 * model::HeadSkeleton::kLongestName + 8) * model::MeshPart::kMost +
+               4 * model::MeshTexture::kMostPixels;
     case Kind::Encoded:
         return kMostEncodedBytes;
     case Kind::Sandbox:
@@ -140,6 +144,98 @@ bool readJoints(Reader& reader, model::HeadSkeleton& skeleton)
 bool isLaterReason(std::uint32_t reason)
 {
     return reason == static_cast<std::uint32_t>(Reason::LayersOnly);
+}
+
+template<typename Text>
+bool readName(Reader& reader, Text& text)
+{
+    std::uint32_t length = 0;
+    std::vector<char> name;
+    if (!reader.value(length) || length > model::HeadSkeleton::kLongestName || !reader.array(name, length))
+        return false;
+    text.assign(name.begin(), name.end());
+    return model::isJointName(text);
+}
+
+void writeName(Writer& writer, const std::string& name)
+{
+    writer.value(static_cast<std::uint32_t>(name.size()));
+    writer.array(std::span(name));
+}
+
+std::uint64_t partBytes(const model::RiggedMesh& mesh)
+{
+    std::uint64_t bytes = 8 + 8 * mesh.textures.size();
+    for (const model::MeshPart& part : mesh.parts)
+        bytes += kPartBytes + part.name.size() + part.material.size();
+    for (const model::MeshTexture& texture : mesh.textures)
+        bytes += texture.rgba.size();
+    return bytes;
+}
+
+void writeParts(Writer& writer, const model::RiggedMesh& mesh)
+{
+    writer.value(static_cast<std::uint32_t>(mesh.parts.size()));
+    for (const model::MeshPart& part : mesh.parts) {
+        writeName(writer, part.name);
+        writeName(writer, part.material);
+        writer.value(std::uint32_t{part.hasLayout});
+        writer.value(part.tile);
+        writer.value(part.colour);
+        writer.value(static_cast<std::uint32_t>(part.alpha));
+        writer.value(std::uint32_t{part.doubleSided});
+        writer.value(part.texture);
+        writer.value(part.vertices);
+        writer.value(part.triangles);
+    }
+    writer.value(static_cast<std::uint32_t>(mesh.textures.size()));
+    for (const model::MeshTexture& texture : mesh.textures) {
+        writer.value(texture.width);
+        writer.value(texture.height);
+        writer.array(std::span(texture.rgba));
+    }
+}
+
+bool readPart(Reader& reader, model::MeshPart& part)
+{
+    std::uint32_t hasLayout = 0;
+    std::uint32_t alpha = 0;
+    std::uint32_t doubleSided = 0;
+    if (!readName(reader, part.name) || !readName(reader, part.material) || !reader.value(hasLayout) ||
+        !reader.value(part.tile) || !reader.value(part.colour) || !reader.value(alpha) || !reader.value(doubleSided) ||
+        !reader.value(part.texture) || !reader.value(part.vertices) || !reader.value(part.triangles))
+        return false;
+    part.hasLayout = hasLayout == 1;
+    part.alpha = static_cast<model::PartAlpha>(alpha);
+    part.doubleSided = doubleSided == 1;
+    return hasLayout <= 1 && doubleSided <= 1 && alpha <= static_cast<std::uint32_t>(model::PartAlpha::Blend);
+}
+
+/// Of a mesh whose vertices and triangles were read.
+bool readParts(Reader& reader, model::RiggedMesh& mesh)
+{
+    std::uint32_t parts = 0;
+    if (!reader.value(parts) || parts > model::MeshPart::kMost)
+        return false;
+    for (std::uint32_t i = 0; i < parts; ++i)
+        if (!readPart(reader, mesh.parts.emplace_back()))
+            return false;
+    std::uint32_t textures = 0;
+    std::size_t pixels = 0;
+    if (!reader.value(textures) || textures > model::MeshPart::kMost)
+        return false;
+    for (std::uint32_t i = 0; i < textures; ++i) {
+        model::MeshTexture& texture = mesh.textures.emplace_back();
+        constexpr std::uint32_t kMostSide = model::MeshTexture::kLargestSide;
+        if (!reader.value(texture.width) || !reader.value(texture.height) || texture.width < 1 || texture.height < 1 ||
+            texture.width > kMostSide || texture.height > kMostSide)
+            return false;
+        pixels += std::size_t{texture.width} * texture.height;
+        if (pixels > model::MeshTexture::kMostPixels ||
+            !reader.array(texture.rgba, std::uint64_t{4} * texture.width * texture.height))
+            return false;
+    }
+    return model::partsFit(mesh);
 }
 
 bool readTold(Reader& reader, model::ToldSpace& told)
@@ -205,7 +301,7 @@ Bytes encodeMesh(const model::RiggedMesh& mesh)
     for (const model::HeadJoint& joint : skeleton.joints)
         jointBytes += joint.name.size();
     Writer writer(Kind::Mesh, 20 + mesh.positionsHd.size() * 32 + mesh.triangles.size() * 12 + jointBytes +
-                                  skeleton.weights.size() * sizeof(model::BoneWeights));
+                                  skeleton.weights.size() * sizeof(model::BoneWeights) + partBytes(mesh));
     writer.value(static_cast<std::uint32_t>(mesh.positionsHd.size()));
     writer.value(static_cast<std::uint32_t>(mesh.triangles.size()));
     writer.array(std::span(mesh.positionsHd));
@@ -223,6 +319,7 @@ Bytes encodeMesh(const model::RiggedMesh& mesh)
     writer.array(std::span(skeleton.weights));
     writer.value(mesh.told.metresPerUnit);
     writer.value(static_cast<std::uint32_t>(mesh.told.up));
+    writeParts(writer, mesh);
     return writer.take();
 }
 
@@ -326,7 +423,8 @@ std::optional<model::RiggedMesh> decodeMesh(std::span<const std::byte> body)
         !reader.array(mesh.triangles, triangles) || !meshFits(mesh) || !readJoints(reader, mesh.skeleton))
         return std::nullopt;
     if (!reader.array(mesh.skeleton.weights, mesh.skeleton.empty() ? 0 : vertices) ||
-        !model::withinLimits(mesh.skeleton, vertices) || !readTold(reader, mesh.told) || !reader.atEnd())
+        !model::withinLimits(mesh.skeleton, vertices) || !readTold(reader, mesh.told) || !readParts(reader, mesh) ||
+        !reader.atEnd())
         return std::nullopt;
     return mesh;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/heads/head_skeleton.h"
+#include "model/heads/mesh_parts.h"
 #include "sim/skin/head_mesh.h"
 
 #include <cstdint>
@@ -28,8 +29,14 @@ struct RiggedMesh : sim::HeadMesh
 {
     HeadSkeleton skeleton = {};
     ToldSpace told = {};
+    std::vector<MeshPart> parts = {}; ///< All of it together; none where it is one part without a name.
+    std::vector<MeshTexture> textures = {};
     RiggedMesh() = default;
     RiggedMesh(sim::HeadMesh mesh) : sim::HeadMesh(std::move(mesh)) {}
 };
+
+/// Whether what its parts say of it can be: they cover all of it, each with vertices of its own, of colours and tiles
+/// within their ranges, and name textures that are there.
+[[nodiscard]] bool partsFit(const RiggedMesh& mesh);
 
 } // namespace hairpaint::model

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/project/change.h"
+#include "model/project/head_part.h"
 #include "model/project/light_settings.h"
 #include "model/project/skin_tone.h"
 #include "model/project/worn.h"
@@ -98,6 +99,8 @@ struct Head
     std::shared_ptr<const sim::HeadMesh> shownMesh; ///< What is drawn; finer than the skin's for a built-in head.
     /// How hair streams over the head where nobody combed it, as a direction map has it; null where it is not known.
     sim::MapRaster naturalDirection = {};
+    std::vector<HeadPart> parts = {};                     ///< Hd: seen and touched, without hair of their own.
+    std::shared_ptr<const sim::MeshTexture> texture = {}; ///< That its file shows on the skin; null where there is none.
 };
 
 inline constexpr int kMostHairs = 4'000'000; ///< A file may ask for this many.

@@ -26,7 +26,7 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr qint64 kMostSalvagedHeadBytes = 192 << 20;
+constexpr qint64 kMostSalvagedHeadBytes = 256 << 20;
 
 tl::unexpected<Clause> nothingLeft()
 {

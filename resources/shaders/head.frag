@@ -7,6 +7,9 @@ in vec4 marks; // Sky, lips, lids, blush.
 in vec4 tint; // Of the scalp, times its cover.
 layout(location = 0) out vec4 rootColour;
 #ifdef SOLID
+in vec2 solidUv;
+uniform sampler2D solidTexture;
+uniform vec4 solidTextured; // x: 1 where it has a texture; y: the least alpha that is drawn.
 uniform vec4 solidSkin[3]; // As the frame's, for a body that is worn.
 #define skin solidSkin
 #endif
@@ -76,6 +79,14 @@ void main()
     albedo = mix(albedo, skin[2].rgb, marks.z);
     albedo = mix(albedo, skin[1].rgb, marks.y);
     albedo = albedo * (1.0 - tint.w) + tint.rgb;
+#ifdef SOLID
+    if (solidTextured.x > 0.0) {
+        vec4 texel = texture(solidTexture, solidUv);
+        if (texel.a < solidTextured.y)
+            discard;
+        albedo = texel.rgb * skin[0].rgb;
+    }
+#endif
 
     float up = n.y * 0.5 + 0.5;
     vec3 open = openness(marks.x, albedo);

@@ -2,7 +2,10 @@
 layout(location = 0) in vec3 meshPosition;
 layout(location = 1) in vec3 meshNormal;
 layout(location = 2) in vec4 skinMarks; // Sky, lips, lids, blush.
-#ifndef SOLID
+#ifdef SOLID
+layout(location = 4) in vec2 meshUv;
+out vec2 solidUv;
+#else
 layout(location = 3) in vec4 scalpTint; // See ScalpTint::Texel.
 #endif
 #ifdef SOLID
@@ -26,6 +29,7 @@ void main()
     vec3 positionHd = meshPosition;
     vec3 normalHd = meshNormal;
 #ifdef SOLID
+    solidUv = meshUv;
     positionHd = solidCentreHd.xyz + turnedBy(solidRotation, meshPosition * solidSemiAxesM.xyz);
     normalHd = turnedBy(solidRotation, normalize(meshNormal / solidSemiAxesM.xyz));
 #endif

@@ -33,6 +33,7 @@ public:
     QString file;          ///< Typed into file dialogs; they are cancelled where it is empty.
     QString name;          ///< Typed where a name is asked for.
     bool takesHead = true; ///< Whether the head's dialog is accepted.
+    std::function<void(view::HeadImportDialog&)> choosesParts; ///< Before it is.
     bool takesHair = true;
     std::function<void(view::HairImportDialog&)> choosesSpace; ///< Before its dialog is accepted.
     bool takesLandmarks = true;
@@ -67,6 +68,8 @@ protected:
             input->setTextValue(name);
             press(*input, true);
         } else if (auto* head = qobject_cast<view::HeadImportDialog*>(waiting)) {
+            if (choosesParts)
+                choosesParts(*head);
             press(*head, takesHead);
         } else if (auto* hair = qobject_cast<view::HairImportDialog*>(waiting)) {
             if (choosesSpace)

@@ -2,6 +2,7 @@
 // or is refused.
 #include "model/files/glb.h"
 #include "model/files/head_file.h"
+#include "sim/skin/head_limits.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace hairpaint;
@@ -28,6 +29,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const model::Checked<sim::HeadMesh> mesh = model::meshFromGlb(glb);
     if (!mesh)
         return 0;
+    if (const model::Checked<model::GlbParts> parts = model::partsFromGlb(glb)) {
+        fuzz::require(parts->parts.size() == parts->weights.size());
+        for (const model::HeadPart& part : parts->parts)
+            fuzz::require(part.mesh != nullptr && sim::withinLimits(*part.mesh));
+    }
     const QByteArray written = model::glbFromMesh(rigged(*mesh, model::skeletonFromGlb(glb)));
     const model::Checked<sim::HeadMesh> again = model::meshFromGlb(written);
     const model::Checked<model::HeadSkeleton> skeleton = model::skeletonFromGlb(written);

@@ -99,7 +99,7 @@ private Q_SLOTS:
             << 4 << 2 << 6.0;
         QTest::newRow("OBJ with two objects, one without uvs")
             << QStringLiteral("c.obj") << kQuad + "o one\nf 1/1 2/2 3/3 4/4\no two\nf 1 2 3\n"
-            << 4 << 2 << 6.0;
+            << 7 << 3 << 9.0;
         QTest::newRow("OBJ with a triangle of no area")
             << QStringLiteral("d.obj") << kQuad + "f 1/1 2/2 3/3 4/4\nf 1/1 1/1 2/2\n"
             << 4 << 2 << 6.0;

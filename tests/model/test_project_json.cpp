@@ -70,7 +70,7 @@ private Q_SLOTS:
         row("a preset's format", "format", QStringLiteral("hairpaint preset"));
         row("no version", "format_version", absent);
         row("version 0", "format_version", 0);
-        row("a version to come", "format_version", 4);
+        row("a version to come", "format_version", 5);
         row("no next id", "next_id", absent);
         row("a next id of 0", "next_id", 0);
         row("a next id above the limit", "next_id", 2'100'000'000);

@@ -14,13 +14,16 @@ class QDialogButtonBox;
 class QFormLayout;
 class QHBoxLayout;
 class QLabel;
+class QTableWidget;
+class QVBoxLayout;
 
 namespace hairpaint::view {
 
 class BarSlider;
 class MeshSilhouette;
 
-/// Modal. When accepted, pass unitScale() and upAxis() to model::makeHead.
+/// Modal. When accepted, pass unitScale() and upAxis() to model::makeHead. A character of several parts has a list of
+/// them, with what becomes of each.
 class HeadImportDialog : public QDialog
 {
     Q_OBJECT
@@ -28,6 +31,12 @@ public:
     HeadImportDialog(model::RiggedMesh source, const QString& fileName, QWidget* parent = nullptr);
     [[nodiscard]] float unitScale() const;
     [[nodiscard]] model::UpAxis upAxis() const;
+    /// The file's space, an axis: where the face looks.
+    [[nodiscard]] glm::ivec3 facing() const;
+    /// The mesh, with what becomes of its parts.
+    [[nodiscard]] const model::RiggedMesh& source() const { return m_source; }
+    /// Whether a uv layout is to be made instead of the file's.
+    [[nodiscard]] bool makesLayout() const;
     /// Whether the hairstyle is to be carried to it; else its maps stay as they lie.
     [[nodiscard]] bool carriesHair() const;
     /// Height along the chosen axis at the chosen scale, cm.
@@ -39,6 +48,9 @@ public:
 private:
     [[nodiscard]] QFormLayout* buildForm();
     [[nodiscard]] QHBoxLayout* buildRemark();
+    void buildParts(QVBoxLayout* layout);
+    void followParts(); ///< What is ticked.
+    [[nodiscard]] bool growsSomewhere() const;
     void guess();
     [[nodiscard]] double sourceHeight() const; ///< Along the chosen axis, in the source's units.
     /// Whether unit and axis are what the file itself tells.
@@ -50,6 +62,9 @@ private:
     QComboBox* m_unit = nullptr;
     QComboBox* m_axis = nullptr;
     BarSlider* m_height = nullptr;
+    QComboBox* m_facing = nullptr;
+    QTableWidget* m_parts = nullptr; ///< Null where there is but one.
+    QCheckBox* m_ownLayout = nullptr;
     QCheckBox* m_carry = nullptr;
     QLabel* m_remark = nullptr;
     QLabel* m_remarkIcon = nullptr;

@@ -103,6 +103,7 @@ void HeadScene::setEnvironment(const model::Project& project, const model::Light
     const std::vector<rendering::Solid> before =
         skin == m_solidsOn.lock() ? m_scene.solids : decltype(m_scene.solids)();
     m_scene.solids = sceneSolids(project.worn, skin.get(), before);
+    std::ranges::move(sceneParts(project.head.get()), std::back_inserter(m_scene.solids));
     m_solidsOn = skin;
     m_scene.background = linearColour(project.background);
 }

@@ -57,6 +57,23 @@ std::vector<rendering::Solid> sceneSolids(const std::vector<model::Worn>& worn, 
     return solids;
 }
 
+std::vector<rendering::Solid> sceneParts(const model::Head* head)
+{
+    constexpr float kSheen = 0.4F;
+    std::vector<rendering::Solid> solids;
+    if (head == nullptr)
+        return solids;
+    for (const model::HeadPart& part : head->parts)
+        solids.push_back({.mesh = part.mesh,
+                          .shape = {.centreHd = glm::vec3(0.0F), .semiAxesM = glm::vec3(1.0F)},
+                          .colour = part.colour,
+                          .sheen = kSheen,
+                          .open = true,
+                          .masked = part.texture && part.alpha != sim::TextureAlpha::Opaque,
+                          .texture = part.texture});
+    return solids;
+}
+
 glm::vec3 linearColour(QRgb encoded)
 {
     const auto channel = [](int value) {

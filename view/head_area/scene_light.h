@@ -15,6 +15,8 @@ namespace hairpaint::view {
 /// the head and lie as they did.
 [[nodiscard]] std::vector<rendering::Solid> sceneSolids(const std::vector<model::Worn>& worn, const sim::Skin* skin,
                                                         std::span<const rendering::Solid> before = {});
+/// The parts of the head's character; none where there is no head.
+[[nodiscard]] std::vector<rendering::Solid> sceneParts(const model::Head* head);
 /// An sRGB colour in linear light.
 [[nodiscard]] glm::vec3 linearColour(QRgb encoded);
 

@@ -4,6 +4,7 @@
 #include "sim/motion/strand_frame.h"
 #include "sim/skin/ellipsoid.h"
 #include "sim/skin/head_mesh.h"
+#include "sim/skin/mesh_texture.h"
 #include "view/rendering/light/environment.h"
 #include "view/rendering/light/far_light.h"
 
@@ -63,6 +64,9 @@ struct Solid
     sim::Ellipsoid shape;                      ///< which is scaled, turned (unit) and moved to this.
     glm::vec3 colour{0.5F};                    ///< Linear.
     float sheen = 0.6F;                        ///< As in SkinShading.
+    bool open = false;                         ///< It is not closed: its inside is seen.
+    bool masked = false;                       ///< Where the texture's alpha is under a half nothing is drawn.
+    std::shared_ptr<const sim::MeshTexture> texture = {}; ///< Times the colour; null: none.
     friend bool operator==(const Solid&, const Solid&) = default;
 };
 /// What a solid is shaded as.

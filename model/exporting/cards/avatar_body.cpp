@@ -85,27 +85,32 @@ AvatarBody avatarBody(const Avatar& avatar)
         const glm::quat turn = glm::normalize(pose.rotation * glm::conjugate(bound[i].rotation));
         moved.push_back({.position = pose.position - turn * bound[i].position, .rotation = turn});
     }
-    const sim::HeadMesh& mesh = avatar.skin->mesh();
-    body.mesh = plainHead(mesh);
-    for (std::size_t i = 0; i < body.mesh.vertices.size(); ++i) {
-        HeadVertexOut& vertex = body.mesh.vertices[i];
-        const glm::vec3 position = body.turn * vertex.position;
-        const glm::vec3 normal = body.turn * vertex.normal;
-        vertex.position = position;
-        vertex.normal = normal;
-        if (!isMoved)
-            continue;
-        const BoneWeights& bones = avatar.skeleton.weights[i];
-        glm::vec3 blended(0.0F);
-        glm::vec3 blendedNormal(0.0F);
-        for (int b = 0; b < 4; ++b) {
-            const JointPose& by = moved[bones.joints.at(static_cast<std::size_t>(b))];
-            blended += bones.weights[b] * (by.position + by.rotation * position);
-            blendedNormal += bones.weights[b] * (by.rotation * normal);
+    const auto posed = [&](const sim::HeadMesh& mesh, const std::vector<BoneWeights>& weights) {
+        PosedMesh made = plainHead(mesh);
+        for (std::size_t i = 0; i < made.vertices.size(); ++i) {
+            HeadVertexOut& vertex = made.vertices[i];
+            const glm::vec3 position = body.turn * vertex.position;
+            const glm::vec3 normal = body.turn * vertex.normal;
+            vertex.position = position;
+            vertex.normal = normal;
+            if (!isMoved || i >= weights.size())
+                continue;
+            const BoneWeights& bones = weights[i];
+            glm::vec3 blended(0.0F);
+            glm::vec3 blendedNormal(0.0F);
+            for (int b = 0; b < 4; ++b) {
+                const JointPose& by = moved[bones.joints.at(static_cast<std::size_t>(b))];
+                blended += bones.weights[b] * (by.position + by.rotation * position);
+                blendedNormal += bones.weights[b] * (by.rotation * normal);
+            }
+            vertex.position = blended;
+            vertex.normal = unitOr(blendedNormal, normal);
         }
-        vertex.position = blended;
-        vertex.normal = unitOr(blendedNormal, normal);
-    }
+        return made;
+    };
+    body.mesh = posed(avatar.skin->mesh(), avatar.skeleton.weights);
+    for (std::size_t i = 0; i < avatar.parts.size(); ++i)
+        body.parts.push_back(posed(*avatar.parts[i].mesh, avatar.partWeights[i]));
     return body;
 }
 

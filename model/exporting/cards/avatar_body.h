@@ -13,6 +13,7 @@ struct AvatarBody
     glm::quat turn{1, 0, 0, 0};   ///< From Hd, about y.
     std::vector<JointPose> poses; ///< Of the skeleton's joints.
     PosedMesh mesh;
+    std::vector<PosedMesh> parts = {}; ///< The avatar's.
 };
 
 [[nodiscard]] AvatarBody avatarBody(const Avatar& avatar);

@@ -59,10 +59,31 @@ public:
     }
 
     /// `bones`: one a vertex, or none where nothing holds it. `skin`: whose joints these are.
-    void addHead(const PosedMesh& head, QRgb colour, const std::vector<BoneWeights>& bones, int skin)
+    void addHead(const PosedMesh& head, QRgb colour, const std::shared_ptr<const sim::MeshTexture>& shown,
+                 const std::vector<BoneWeights>& bones, int skin)
     {
         constexpr double kRoughness = 0.6;
-        addBody(QStringLiteral("Head mesh"), head, material(QStringLiteral("Skin"), colour, kRoughness), bones, skin);
+        const HeadPart own{.name = "Skin", .colour = glm::vec3(1.0F), .texture = shown, .mesh = {}};
+        addBody(QStringLiteral("Head mesh"), head,
+                shown ? partMaterial(own) : material(QStringLiteral("Skin"), colour, kRoughness), bones, skin);
+    }
+
+    /// With the head; as addHead() has them.
+    void addPart(const PosedMesh& mesh, const HeadPart& part, const std::vector<BoneWeights>& bones, int skin)
+    {
+        addBody(QString::fromStdString(part.name), mesh, partMaterial(part), bones, skin);
+    }
+    /// How many images are added before those of the parts.
+    void reserveImages(int count) { m_firstPartTexture = count; }
+    /// After all others.
+    void addPartImages()
+    {
+        for (std::size_t i = 0; i < m_partTextures.size(); ++i) {
+            addImage(QStringLiteral("Part %1").arg(i + 1), pngOfTexture(*m_partTextures[i]));
+            QJsonObject texture = m_textures.last().toObject();
+            texture[QStringLiteral("sampler")] = 1; // It repeats.
+            m_textures.replace(m_textures.size() - 1, texture);
+        }
     }
 
     /// With the head; as addHead() has them.
@@ -152,11 +173,15 @@ public:
         insert(QStringLiteral("materials"), m_materials);
         insert(QStringLiteral("images"), m_images);
         insert(QStringLiteral("textures"), m_textures);
-        if (!m_textures.isEmpty()) // Linear, with levels; no repetition.
-            root.insert(QStringLiteral("samplers"), QJsonArray{QJsonObject{{QStringLiteral("magFilter"), 9729},
-                                                                           {QStringLiteral("minFilter"), 9987},
-                                                                           {QStringLiteral("wrapS"), 33071},
-                                                                           {QStringLiteral("wrapT"), 33071}}});
+        if (!m_textures.isEmpty()) { // Linear, with levels; no repetition, but for parts.
+            QJsonArray samplers{QJsonObject{{QStringLiteral("magFilter"), 9729},
+                                            {QStringLiteral("minFilter"), 9987},
+                                            {QStringLiteral("wrapS"), 33071},
+                                            {QStringLiteral("wrapT"), 33071}}};
+            if (!m_partTextures.empty())
+                samplers.append(QJsonObject{{QStringLiteral("magFilter"), 9729}, {QStringLiteral("minFilter"), 9987}});
+            root.insert(QStringLiteral("samplers"), samplers);
+        }
         insert(QStringLiteral("extensionsUsed"), QJsonArray::fromStringList(m_extensions.keys()));
         QJsonObject whole;
         for (const QLatin1StringView name : {kSpringExtension, kAvatarExtension})
@@ -271,6 +296,30 @@ private:
             node.insert(QStringLiteral("skin"), skin);
         m_nodes.append(node);
     }
+    [[nodiscard]] QJsonObject partMaterial(const HeadPart& part)
+    {
+        constexpr double kRoughness = 0.7;
+        QJsonArray factor = jsonNumbers(part.colour);
+        factor.append(1.0);
+        QJsonObject surface{{QStringLiteral("baseColorFactor"), factor},
+                            {QStringLiteral("metallicFactor"), 0.0},
+                            {QStringLiteral("roughnessFactor"), kRoughness}};
+        if (part.texture) {
+            auto known = std::ranges::find(m_partTextures, part.texture);
+            if (known == m_partTextures.end())
+                known = m_partTextures.insert(known, part.texture);
+            const auto number = m_firstPartTexture + static_cast<int>(known - m_partTextures.begin());
+            surface.insert(QStringLiteral("baseColorTexture"), QJsonObject{{QStringLiteral("index"), number}});
+        }
+        QJsonObject made{{QStringLiteral("name"), QString::fromStdString(part.name)},
+                         {QStringLiteral("pbrMetallicRoughness"), surface}};
+        if (part.alpha != sim::TextureAlpha::Opaque)
+            made.insert(QStringLiteral("alphaMode"),
+                        part.alpha == sim::TextureAlpha::Mask ? QStringLiteral("MASK") : QStringLiteral("BLEND"));
+        if (part.doubleSided)
+            made.insert(QStringLiteral("doubleSided"), true);
+        return made;
+    }
     [[nodiscard]] static QJsonObject material(const QString& name, QRgb colour, double roughness)
     {
         const auto linear = [](int value) { return linearFromSrgb(static_cast<float>(value) / 255.0F); };
@@ -283,6 +332,8 @@ private:
     }
 
     GlbBuffer m_buffer;
+    int m_firstPartTexture = 0;
+    std::vector<std::shared_ptr<const sim::MeshTexture>> m_partTextures;
     QJsonArray m_sceneNodes, m_nodes, m_meshes, m_skins, m_materials, m_images, m_textures;
     QJsonObject m_extensions; ///< Those that are used, with what they say of the whole file.
 };
@@ -293,6 +344,10 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
                    std::span<const QByteArray> pngs)
 {
     CardGlbWriter glb;
+    int images = 0;
+    for (std::size_t i = 0; i < pngs.size() && !cards.patches.empty(); ++i)
+        images += cardImageKinds()[i].embedded ? 1 : 0;
+    glb.reserveImages(images);
     const Avatar* const avatar = settings.avatar.get();
     const AvatarBody body = avatar != nullptr ? avatarBody(*avatar) : AvatarBody{};
     JointPose frame; // Of the hair's space in the file.
@@ -314,7 +369,9 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
     }
     if (avatar != nullptr) {
         const int skin = cards.bones ? 1 : 0;
-        glb.addHead(body.mesh, settings.skinColour, avatar->skeleton.weights, skin);
+        glb.addHead(body.mesh, settings.skinColour, settings.headTexture, avatar->skeleton.weights, skin);
+        for (std::size_t i = 0; i < body.parts.size(); ++i)
+            glb.addPart(body.parts[i], avatar->parts[i], avatar->partWeights[i], skin);
         const BoneWeights headBone{.joints = {static_cast<std::uint16_t>(avatar->bones[HumanBone::Head])}};
         for (const Worn& worn : settings.worn) {
             if (!wornSpec(worn.kind).drawn())
@@ -326,7 +383,11 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
     } else if (const PosedMesh head = settings.cards.withHead ? posedHead(curves) : PosedMesh{};
                !head.indices.empty()) {
         const std::size_t held = cards.bones ? head.vertices.size() : 0;
-        glb.addHead(head, settings.skinColour, std::vector<BoneWeights>(held), 0);
+        glb.addHead(head, settings.skinColour, settings.headTexture, std::vector<BoneWeights>(held), 0);
+        for (const HeadPart& part : settings.parts) {
+            const PosedMesh own = posedPart(curves, part);
+            glb.addPart(own, part, std::vector<BoneWeights>(cards.bones ? own.vertices.size() : 0), 0);
+        }
         for (const Worn& worn : settings.worn) {
             if (!wornSpec(worn.kind).drawn())
                 continue;
@@ -334,13 +395,16 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
             glb.addWorn(thing, worn, std::vector<BoneWeights>(cards.bones ? thing.vertices.size() : 0), 0);
         }
     }
-    if (cards.patches.empty())
+    if (cards.patches.empty()) {
+        glb.addPartImages();
         return glb.finish();
+    }
     if (cards.bones && avatar == nullptr)
         glb.addBones(curves, *cards.bones, contactShapes(settings.worn));
     for (std::size_t i = 0; i < pngs.size(); ++i)
         if (cardImageKinds()[i].embedded)
             glb.addImage(QString::fromLatin1(cardImageKinds()[i].name), pngs[i]);
+    glb.addPartImages();
     return glb.finish();
 }
 

@@ -69,6 +69,13 @@ PosedMesh posedHead(const CurveSet& set)
     return head;
 }
 
+PosedMesh posedPart(const CurveSet& set, const HeadPart& part)
+{
+    PosedMesh own = plainHead(*part.mesh);
+    hold(own, set);
+    return own;
+}
+
 PosedMesh posedWorn(const CurveSet& set, const Worn& worn)
 {
     PosedMesh body = bodyOf(worn, set.skin());

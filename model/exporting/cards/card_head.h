@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/exporting/curve_set.h"
+#include "model/project/head_part.h"
 #include "model/project/worn.h"
 
 #include <cstdint>
@@ -28,6 +29,8 @@ struct PosedMesh
 [[nodiscard]] PosedMesh plainHead(const sim::HeadMesh& mesh);
 /// The mesh that the hair stands on, Wo, as it is held and its neck turned; empty where no group has roots.
 [[nodiscard]] PosedMesh posedHead(const CurveSet& set);
+/// A part of the head's character, likewise.
+[[nodiscard]] PosedMesh posedPart(const CurveSet& set, const HeadPart& part);
 /// A thing of a kind that is drawn, Wo, as it goes with the head.
 [[nodiscard]] PosedMesh posedWorn(const CurveSet& set, const Worn& worn);
 /// The same on a head at rest that is turned about its origin.

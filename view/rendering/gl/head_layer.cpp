@@ -17,6 +17,7 @@ struct Vertex
     glm::vec3 positionHd;
     glm::vec3 normalHd;
     sim::SkinMarks marks;
+    glm::vec2 uv;
 };
 
 } // namespace
@@ -39,7 +40,7 @@ tl::expected<std::unique_ptr<HeadLayer>, std::string> HeadLayer::create()
     return layer;
 }
 
-void HeadLayer::Mesh::upload(const std::shared_ptr<const sim::HeadMesh>& head)
+void HeadLayer::Mesh::upload(const std::shared_ptr<const sim::HeadMesh>& head, bool open)
 {
     if (source == head)
         return;
@@ -51,11 +52,12 @@ void HeadLayer::Mesh::upload(const std::shared_ptr<const sim::HeadMesh>& head)
     for (std::size_t i = 0; i < packed.size(); ++i)
         packed[i] = {.positionHd = head->positionsHd[i],
                      .normalHd = head->normalsHd[i],
-                     .marks = head->marks.empty() ? sim::SkinMarks{} : head->marks[i]};
+                     .marks = head->marks.empty() ? sim::SkinMarks{} : head->marks[i],
+                     .uv = i < head->uvs.size() ? head->uvs[i] : glm::vec2(0.0F)};
     vertices.assign(packed.data(), packed.size() * sizeof(Vertex));
     indices.assign(head->triangles.data(), head->triangles.size() * sizeof(glm::uvec3));
     indexCount = static_cast<int>(head->triangles.size() * 3);
-    closed = sim::openEdges(*head).empty();
+    closed = !open && sim::openEdges(*head).empty();
     vertexArray = makeVertexArray();
     glBindVertexArray(vertexArray.id());
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
@@ -63,11 +65,35 @@ void HeadLayer::Mesh::upload(const std::shared_ptr<const sim::HeadMesh>& head)
     glVertexAttribFormat(0, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, positionHd));
     glVertexAttribFormat(1, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, normalHd));
     glVertexAttribFormat(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Vertex, marks));
-    for (unsigned attribute = 0; attribute < 3; ++attribute) {
+    glVertexAttribFormat(4, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, uv));
+    for (const unsigned attribute : {0U, 1U, 2U, 4U}) {
         glEnableVertexAttribArray(attribute);
         glVertexAttribBinding(attribute, 0);
     }
     glBindVertexArray(0);
+}
+
+void HeadLayer::Mesh::uploadTexture(const std::shared_ptr<const sim::MeshTexture>& picture)
+{
+    if (shown == picture)
+        return;
+    shown = picture;
+    if (!picture)
+        return;
+    // Row 0 is v = 1: turned over, so that uvs serve as they are.
+    const std::size_t row = std::size_t{4} * picture->width;
+    std::vector<std::uint8_t> upright(picture->rgba.size());
+    for (std::size_t y = 0; y < picture->height; ++y)
+        std::copy_n(picture->rgba.begin() + static_cast<std::ptrdiff_t>(y * row), row,
+                    upright.begin() + static_cast<std::ptrdiff_t>((picture->height - 1 - y) * row));
+    texture.resize2D(GL_SRGB8_ALPHA8, static_cast<int>(picture->width), static_cast<int>(picture->height), true);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<int>(picture->width), static_cast<int>(picture->height),
+                    GL_RGBA, GL_UNSIGNED_BYTE, upright.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 void HeadLayer::Mesh::uploadTint(const ScalpTintSources& tintSources)
@@ -140,7 +166,8 @@ void HeadLayer::drawSolids()
         auto mesh = std::ranges::find(m_solidMeshes, solid.mesh, &Mesh::source);
         if (mesh == m_solidMeshes.end()) {
             mesh = m_solidMeshes.emplace(m_solidMeshes.end());
-            mesh->upload(solid.mesh);
+            mesh->upload(solid.mesh, solid.open);
+            mesh->uploadTexture(solid.texture);
         }
         const SkinShading skin = skinOf(solid);
         const glm::quat& rotation = solid.shape.rotation;
@@ -148,6 +175,11 @@ void HeadLayer::drawSolids()
         m_solidProgram.set("solidCentreHd", glm::vec4(solid.shape.centreHd, 0.0F));
         m_solidProgram.set("solidSemiAxesM", glm::vec4(solid.shape.semiAxesM, 0.0F));
         m_solidProgram.set("solidRotation", glm::vec4(rotation.x, rotation.y, rotation.z, rotation.w));
+        constexpr int kTextureUnit = 0;
+        m_solidProgram.set("solidTextured", glm::vec4(mesh->shown ? 1.0F : 0.0F, solid.masked ? 0.5F : 0.0F, 0.0F, 0.0F));
+        m_solidProgram.set("solidTexture", kTextureUnit);
+        if (mesh->shown)
+            mesh->texture.bind(static_cast<unsigned>(kTextureUnit));
         m_solidProgram.set("solidSkin[0]", glm::vec4(skin.colour, skin.scatter));
         m_solidProgram.set("solidSkin[1]", glm::vec4(skin.lips, skin.grain));
         m_solidProgram.set("solidSkin[2]", glm::vec4(skin.lids, skin.sheen));

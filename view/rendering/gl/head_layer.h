@@ -38,7 +38,11 @@ private:
         bool closed = false; ///< The inside is never seen.
         ScalpTint tint;
         Buffer tints; ///< A texel a vertex.
-        void upload(const std::shared_ptr<const sim::HeadMesh>& head);
+        std::shared_ptr<const sim::MeshTexture> shown;
+        Texture texture; ///< `shown`.
+        /// `open`: known to be so.
+        void upload(const std::shared_ptr<const sim::HeadMesh>& head, bool open = false);
+        void uploadTexture(const std::shared_ptr<const sim::MeshTexture>& picture);
         void uploadTint(const ScalpTintSources& sources);
         void draw() const; ///< By the program in use.
     };

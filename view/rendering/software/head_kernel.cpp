@@ -10,6 +10,7 @@
 #include "view/rendering/light/tone_inl.h"
 #include "view/rendering/software/grid_lookup_inl.h"
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <hwy/highway.h>
@@ -38,6 +39,52 @@ HWY_INLINE Side sideOf(const HeadVertex& from, const HeadVertex& to, float turn,
     const float a = (from.y - to.y) * turn;
     const float b = (to.x - from.x) * turn;
     return {a, b, -(a * (from.x - x) + b * (from.y - y))};
+}
+
+/// Of sRGB, linear.
+float linearOf(std::uint8_t encoded)
+{
+    const float x = static_cast<float>(encoded) / 255.0F;
+    return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
+}
+
+const std::array<float, 256>& linearTable()
+{
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> values{};
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = linearOf(static_cast<std::uint8_t>(i));
+        return values;
+    }();
+    return table;
+}
+
+/// Between its four texels, linear, with alpha; it repeats.
+glm::vec4 texelAt(const sim::MeshTexture& texture, float u, float v)
+{
+    const auto width = static_cast<float>(texture.width);
+    const auto height = static_cast<float>(texture.height);
+    const float x = (u - std::floor(u)) * width - 0.5F;
+    const float y = (1.0F - (v - std::floor(v))) * height - 0.5F;
+    const float left = std::floor(x);
+    const float top = std::floor(y);
+    const std::array<float, 256>& table = linearTable();
+    glm::vec4 sum(0.0F);
+    for (int i = 0; i < 4; ++i) {
+        const int dx = i & 1;
+        const int dy = i >> 1;
+        const auto wrapped = [](int at, std::uint32_t side) {
+            const auto s = static_cast<int>(side);
+            return static_cast<std::size_t>((at % s + s) % s);
+        };
+        const std::size_t column = wrapped(static_cast<int>(left) + dx, texture.width);
+        const std::size_t row = wrapped(static_cast<int>(top) + dy, texture.height);
+        const std::uint8_t* texel = texture.rgba.data() + (row * texture.width + column) * 4;
+        const float weight = (dx == 1 ? x - left : 1.0F - (x - left)) * (dy == 1 ? y - top : 1.0F - (y - top));
+        sum += weight * glm::vec4(table[texel[0]], table[texel[1]], table[texel[2]],
+                                  static_cast<float>(texel[3]) * (1.0F / 255.0F));
+    }
+    return sum;
 }
 
 struct BandScratch
@@ -92,6 +139,15 @@ HWY_INLINE void rasterTriangle(const HeadBand& band, std::uint32_t number, BandS
                 per += (sides[i].a * (dx + 0.5F) + sides[i].b * (dy + 0.5F) + sides[i].c) * weights[i];
             // Where the triangle covers a sample's rim only, its middle lies outside.
             const float distance = 1.0F / std::clamp(per, farthest, nearestCorner);
+            if (band.isMasked) {
+                glm::vec2 uv(0.0F);
+                const HeadVertex* const vertices[3] = {&a, &b, &c};
+                for (int i = 0; i < 3; ++i)
+                    uv += (sides[i].a * (dx + 0.5F) + sides[i].b * (dy + 0.5F) + sides[i].c) * weights[i] * distance *
+                          vertices[i]->uv;
+                if (texelAt(*band.texture, uv.x, uv.y).w < 0.5F)
+                    continue;
+            }
             const std::size_t at = static_cast<std::size_t>(y - band.firstRow) * static_cast<std::size_t>(band.width) +
                                    static_cast<std::size_t>(x);
             float& nearest = band.distancesM[static_cast<std::size_t>(y) * static_cast<std::size_t>(band.width) +
@@ -149,9 +205,25 @@ HWY_INLINE void lightSamples(const HeadBand& band, const std::int32_t* xs, const
     point.lids = blended(14);
     point.blush = blended(15);
     point.isTinted = band.isTinted;
+    point.tint = {Lanes(0.0F), Lanes(0.0F), Lanes(0.0F)};
+    point.untinted = Lanes(1.0F);
     if (point.isTinted) {
         point.tint = {blended(16), blended(17), blended(18)};
         point.untinted = Lanes(1.0F) - blended(19);
+    }
+    if (band.texture != nullptr) {
+        HWY_ALIGN float uv[2][kMostLanes] = {};
+        hn::Store(blended(20).v, d, uv[0]);
+        hn::Store(blended(21).v, d, uv[1]);
+        HWY_ALIGN float tint[3][kMostLanes] = {};
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::vec4 texel = texelAt(*band.texture, uv[0][i], uv[1][i]);
+            for (int c = 0; c < 3; ++c)
+                tint[c][i] = texel[c] * band.textureColour[c];
+        }
+        point.isTinted = true;
+        point.tint = {Lanes(hn::Load(d, tint[0])), Lanes(hn::Load(d, tint[1])), Lanes(hn::Load(d, tint[2]))};
+        point.untinted = Lanes(0.0F);
     }
     Triple<Lanes> normal = unit(point.normalWo);
     const Triple<Lanes> toEye = unit(tripleOf<Lanes>(band.lighting.eyeWo) - point.positionWo);

@@ -1,6 +1,7 @@
 // Triangles of the head become samples, and these get their light.
 #pragma once
 
+#include "sim/skin/mesh_texture.h"
 #include "view/rendering/eye_grid.h"
 #include "view/rendering/light/skin_light.h"
 #include "view/rendering/software/tile_kernel.h"
@@ -22,8 +23,9 @@ struct HeadVertex
     glm::vec3 positionHd{0.0F};
     float sky = 1.0F, lips = 0.0F, lids = 0.0F, blush = 0.0F; ///< 0..1
     glm::vec4 tint{0.0F};                                     ///< See ScalpTint::Texel.
+    glm::vec2 uv{0.0F};                                       ///< Where there is a texture.
 };
-static_assert(sizeof(HeadVertex) == 20 * sizeof(float));
+static_assert(sizeof(HeadVertex) == 22 * sizeof(float));
 
 inline constexpr float kNoHeadM = 1e9F; ///< Distance of a sample without head.
 
@@ -39,6 +41,9 @@ struct HeadBand
     float samplesPerM = 0.0F; ///< That a metre covers at a distance of 1 m.
     SkinLighting lighting;
     bool isTinted = false;         ///< Whether any vertex is.
+    const sim::MeshTexture* texture = nullptr; ///< Null: none.
+    glm::vec3 textureColour{1.0F};             ///< Linear, times the texture.
+    bool isMasked = false;                     ///< By the texture's alpha.
     HeadSample* samples = nullptr; ///< The picture's; rows are `width` long.
     float* distancesM = nullptr;
 };

@@ -156,6 +156,8 @@ void HeadPicture::transformParts(const Mesh& mesh, const FrameConstants& constan
                 vertex.tint = glm::vec4(tints[i]) * (1.0F / 65535.0F);
             return vertex;
         });
+        part->texture = nullptr;
+        part->isMasked = false;
         part->triangles = head->triangles;
         part->lighting = lightingOf(constants, {.colour = glm::vec3(constants.skin[0]),
                                                 .lips = glm::vec3(constants.skin[1]),
@@ -172,13 +174,19 @@ void HeadPicture::transformParts(const Mesh& mesh, const FrameConstants& constan
         const glm::vec4 rotation(q.x, q.y, q.z, q.w);
         transformInto(part->vertices, body.positionsHd.size(), [&](std::size_t i) {
             const glm::vec3 normal = body.normalsHd[i] / solid.shape.semiAxesM;
-            return transform.at(solid.shape.centreHd + turnedBy(rotation, body.positionsHd[i] * solid.shape.semiAxesM),
+            HeadVertex vertex = transform.at(solid.shape.centreHd + turnedBy(rotation, body.positionsHd[i] * solid.shape.semiAxesM),
                                 turnedBy(rotation, normal / std::sqrt(glm::dot(normal, normal))), sim::SkinMarks{});
+            if (solid.texture)
+                vertex.uv = body.uvs[i];
+            return vertex;
         });
         part->triangles = body.triangles;
         part->isTinted = false;
+        part->texture = solid.texture.get();
+        part->colour = solid.colour;
+        part->isMasked = solid.masked && solid.texture;
         part->lighting = lightingOf(constants, skinOf(solid));
-        part->sortIntoBands(true, height);
+        part->sortIntoBands(!solid.open, height);
         ++part;
     }
 }
@@ -201,6 +209,9 @@ bool HeadPicture::drawParts(HeadBand band, std::size_t number) const
         band.numbers = std::span(part.bandTriangles).subspan(begin, end - begin);
         band.lighting = part.lighting;
         band.isTinted = part.isTinted;
+        band.texture = part.texture;
+        band.textureColour = part.colour;
+        band.isMasked = part.isMasked;
         drawHeadBand(band);
         any = true;
     }

@@ -45,6 +45,9 @@ private:
         std::span<const glm::uvec3> triangles;
         SkinLighting lighting;
         bool isTinted = false;
+        const sim::MeshTexture* texture = nullptr; ///< Of a solid in m_solids.
+        glm::vec3 colour{1.0F};
+        bool isMasked = false;
         std::vector<std::uint32_t> bandBegin; ///< Into the triangles of each band of rows.
         std::vector<std::uint32_t> bandTriangles;
         void sortIntoBands(bool closed, int height);

@@ -1,0 +1,215 @@
+// Names and shapes of what is skin.
+#include "model/heads/part_choice.h"
+
+#include "model/heads/layout_packing.h"
+#include "sim/skin/mesh_bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <tuple>
+#include <unordered_set>
+
+namespace hairpaint::model {
+
+namespace {
+
+bool isNamedAsOther(const MeshPart& part)
+{
+    static constexpr std::array<std::string_view, 36> kOthers = {
+        "eye",    "iris",  "cornea",  "pupil", "lash",   "brow",     "teeth", "tooth", "tongue",
+        "mouth",  "gum",   "hair",    "kami",  "bang",   "ponytail", "glass", "cloth", "shirt",
+        "tops",   "pants", "bottom",  "dress", "skirt",  "shoe",     "sock",  "glove", "jacket",
+        "helmet", "beard", "earring", "horn",  "ribbon", "mask",     "crown", "jewel", "weapon"};
+    const auto names = [](std::string name) {
+        std::ranges::transform(name, name.begin(),
+                               [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+        return std::ranges::any_of(kOthers,
+                                   [&name](std::string_view other) { return name.find(other) != std::string::npos; });
+    };
+    return names(part.name) || names(part.material);
+}
+
+/// A position to a hundred thousandth of the mesh.
+using Place = std::tuple<int, int, int>;
+struct PlaceHash
+{
+    std::size_t operator()(const Place& place) const
+    {
+        const auto word = [](int number) { return static_cast<std::size_t>(static_cast<std::uint32_t>(number)); };
+        return (word(std::get<0>(place)) * 0x9E3779B1U) ^ (word(std::get<1>(place)) * 0x85EBCA77U << 1U) ^
+               (word(std::get<2>(place)) * 0xC2B2AE3DU << 2U);
+    }
+};
+
+class LikelyUses
+{
+public:
+    LikelyUses(const RiggedMesh& source, const glm::vec3& up, float metresPerUnit)
+        : m_source(source), m_up(up), m_metres(metresPerUnit), m_ranges(rangesOf(source)),
+          m_uses(source.parts.size(), PartUse::Seen)
+    {}
+
+    std::vector<PartUse> find()
+    {
+        std::vector<std::size_t> candidates;
+        for (const bool strict : {true, false}) {
+            if (!candidates.empty())
+                break;
+            for (std::size_t part = 0; part < m_ranges.size(); ++part)
+                if (m_source.parts[part].hasLayout && !(strict && isNamedAsOther(m_source.parts[part])))
+                    candidates.push_back(part);
+        }
+        if (candidates.empty())
+            return m_uses;
+        m_uses[withTheScalp(candidates)] = PartUse::Grows;
+        while (addNeighbours(candidates)) {
+        }
+        return m_uses;
+    }
+
+private:
+    [[nodiscard]] float heightOf(std::uint32_t vertex) const { return glm::dot(m_source.positionsHd[vertex], m_up); }
+    [[nodiscard]] std::size_t withTheScalp(const std::vector<std::size_t>& candidates) const
+    {
+        constexpr float kHeadM = 0.25F;
+        constexpr float kOfAll = 0.6F;
+        float top = -1e30F;
+        float bottom = 1e30F;
+        for (const std::size_t part : candidates)
+            for (std::size_t v = 0; v < m_ranges[part].vertices; ++v) {
+                const float height = heightOf(static_cast<std::uint32_t>(m_ranges[part].firstVertex + v));
+                top = std::max(top, height);
+                bottom = std::min(bottom, height);
+            }
+        const float from = top - std::min(kHeadM / m_metres, kOfAll * (top - bottom));
+        std::size_t best = candidates.front();
+        double most = -1.0;
+        for (const std::size_t part : candidates) {
+            double area = 0.0;
+            for (std::size_t t = 0; t < m_ranges[part].triangles; ++t) {
+                const glm::uvec3& corners = m_source.triangles[m_ranges[part].firstTriangle + t];
+                if (heightOf(corners.x) + heightOf(corners.y) + heightOf(corners.z) < 3.0F * from)
+                    continue;
+                const glm::dvec3 a(m_source.positionsHd[corners.x]);
+                const glm::dvec3 across = glm::cross(glm::dvec3(m_source.positionsHd[corners.y]) - a,
+                                                     glm::dvec3(m_source.positionsHd[corners.z]) - a);
+                area += std::max(glm::dot(across, glm::dvec3(m_up)), 0.0);
+            }
+            if (area > most) {
+                most = area;
+                best = part;
+            }
+        }
+        return best;
+    }
+    [[nodiscard]] Place placeOf(const glm::vec3& position)
+    {
+        if (m_cell == 0.0F) {
+            const glm::vec3 size = sim::boundsOf(m_source).size();
+            m_cell = std::max(1e-5F * std::max({size.x, size.y, size.z}), 1e-30F);
+            m_least = sim::boundsOf(m_source).least;
+        }
+        const glm::vec3 cell = glm::round((position - m_least) / m_cell);
+        return {static_cast<int>(cell.x), static_cast<int>(cell.y), static_cast<int>(cell.z)};
+    }
+    /// False where none hangs together with those that grow hair.
+    bool addNeighbours(const std::vector<std::size_t>& candidates)
+    {
+        constexpr std::size_t kSeam = 4; // Vertices that two parts have in common at least.
+        std::unordered_set<Place, PlaceHash> places;
+        for (std::size_t part = 0; part < m_ranges.size(); ++part)
+            for (std::size_t v = 0; m_uses[part] == PartUse::Grows && v < m_ranges[part].vertices; ++v)
+                places.insert(placeOf(m_source.positionsHd[m_ranges[part].firstVertex + v]));
+        bool any = false;
+        for (const std::size_t part : candidates) {
+            if (m_uses[part] == PartUse::Grows)
+                continue;
+            std::size_t shared = 0;
+            for (std::size_t v = 0; shared < kSeam && v < m_ranges[part].vertices; ++v)
+                shared += places.contains(placeOf(m_source.positionsHd[m_ranges[part].firstVertex + v])) ? 1 : 0;
+            if (shared >= kSeam) {
+                m_uses[part] = PartUse::Grows;
+                any = true;
+            }
+        }
+        return any;
+    }
+
+    const RiggedMesh& m_source;
+    glm::vec3 m_up;
+    float m_metres;
+    std::vector<PartRange> m_ranges;
+    std::vector<PartUse> m_uses;
+    float m_cell = 0.0F;
+    glm::vec3 m_least{0.0F};
+};
+
+void append(RiggedMesh& to, const RiggedMesh& from, const PartRange& range)
+{
+    const auto first = static_cast<std::uint32_t>(to.positionsHd.size());
+    const auto add = [&range](auto& all, const auto& some) {
+        const auto begin = some.begin() + static_cast<std::ptrdiff_t>(range.firstVertex);
+        all.insert(all.end(), begin, begin + static_cast<std::ptrdiff_t>(range.vertices));
+    };
+    add(to.positionsHd, from.positionsHd);
+    add(to.normalsHd, from.normalsHd);
+    add(to.uvs, from.uvs);
+    if (!from.skeleton.empty())
+        add(to.skeleton.weights, from.skeleton.weights);
+    for (std::size_t t = 0; t < range.triangles; ++t)
+        to.triangles.push_back(from.triangles[range.firstTriangle + t] - static_cast<std::uint32_t>(range.firstVertex) +
+                               first);
+}
+
+/// Those that no part shows go.
+void keepNamedTextures(RiggedMesh& mesh)
+{
+    std::vector<MeshTexture> kept;
+    std::vector<std::int32_t> numbers(mesh.textures.size(), -1);
+    for (MeshPart& part : mesh.parts) {
+        if (part.texture < 0)
+            continue;
+        std::int32_t& number = numbers[static_cast<std::size_t>(part.texture)];
+        if (number < 0) {
+            number = static_cast<std::int32_t>(kept.size());
+            kept.push_back(std::move(mesh.textures[static_cast<std::size_t>(part.texture)]));
+        }
+        part.texture = number;
+    }
+    mesh.textures = std::move(kept);
+}
+
+} // namespace
+
+std::vector<PartUse> likelyUses(const RiggedMesh& source, const glm::vec3& up, float metresPerUnit)
+{
+    if (source.parts.size() <= 1)
+        return std::vector<PartUse>(source.parts.size(), PartUse::Grows);
+    return LikelyUses(source, up, metresPerUnit).find();
+}
+
+RiggedMesh arranged(const RiggedMesh& source)
+{
+    if (source.parts.empty())
+        return source;
+    const std::vector<PartRange> ranges = rangesOf(source);
+    RiggedMesh made;
+    made.skeleton.joints = source.skeleton.joints;
+    made.told = source.told;
+    made.textures = source.textures;
+    std::vector<MeshPart> grown;
+    for (const PartUse use : {PartUse::Grows, PartUse::Seen})
+        for (std::size_t i = 0; i < ranges.size(); ++i) {
+            if (source.parts[i].use != use)
+                continue;
+            append(made, source, ranges[i]);
+            (use == PartUse::Grows ? grown : made.parts).push_back(source.parts[i]);
+        }
+    made.parts.insert(made.parts.begin(), packed(made, grown));
+    keepNamedTextures(made);
+    return made;
+}
+
+} // namespace hairpaint::model
