@@ -47,6 +47,7 @@ Style ringlets()
     style.settings.variation.crossing = 0.02F;
     style.settings.variation.curl = 0.05F;
     style.settings.variation.flyaways = 0.006F;
+    style.settings.variation.partGapM = 0.0F; // Curls close over it.
     style.settings.nodesPerHair = 12;
     return style;
 }
