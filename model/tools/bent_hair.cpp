@@ -3,8 +3,6 @@
 
 #include "model/tools/dab_shape.h"
 
-#include <glm/gtc/quaternion.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -95,34 +93,6 @@ void bendHair(HairCourse& course, std::size_t node, glm::vec3 targetHd)
     }
     for (std::size_t i = node + 1; i < course.size(); ++i)
         course[i] += course[node] - was;
-}
-
-void swingHair(HairCourse& course, glm::vec3 fromHd, glm::vec3 toHd)
-{
-    const glm::vec3 root = course.front();
-    const glm::vec3 from = fromHd - root;
-    const glm::vec3 to = toHd - root;
-    const float cosine = glm::dot(from, to) / std::max(glm::length(from) * glm::length(to), 1e-12F);
-    glm::vec3 axis = glm::cross(from, to);
-    if (glm::dot(axis, axis) < 1e-12F) // Opposite: about any axis.
-        axis = glm::cross(from, std::abs(from.x) < std::abs(from.y) ? glm::vec3(1.0F, 0.0F, 0.0F)
-                                                                    : glm::vec3(0.0F, 1.0F, 0.0F));
-    if (!(glm::dot(axis, axis) > 0.0F))
-        return;
-    const glm::quat turn = glm::angleAxis(std::acos(std::clamp(cosine, -1.0F, 1.0F)), glm::normalize(axis));
-    for (glm::vec3& point : course)
-        point = root + turn * (point - root);
-}
-
-glm::vec3 pointAlong(const HairCourse& course, float alongM)
-{
-    for (std::size_t i = 1; i < course.size(); ++i) {
-        const float lengthM = glm::distance(course[i - 1], course[i]);
-        if (alongM <= lengthM)
-            return glm::mix(course[i - 1], course[i], lengthM > 0.0F ? alongM / lengthM : 0.0F);
-        alongM -= lengthM;
-    }
-    return course.back();
 }
 
 LaidHair layAlong(std::span<const HairCourse> courses, const LayShape& shape, SkinFrames& frames, int mapSize,

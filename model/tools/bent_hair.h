@@ -21,10 +21,6 @@ using HairCourse = std::vector<glm::vec3>;
 /// The node goes to the target, or as near as the hair reaches; the root stays, what hangs beyond the node goes along,
 /// and every two neighbours stay as far apart as they are. (FABRIK: Aristidou and Lasenby, 2011.)
 void bendHair(HairCourse& course, std::size_t node, glm::vec3 targetHd);
-/// The whole hair turns about its root, by as much as from one point to the other; its shape stays.
-void swingHair(HairCourse& course, glm::vec3 fromHd, glm::vec3 toHd);
-/// The point of the hair so far along; its tip where it is shorter.
-[[nodiscard]] glm::vec3 pointAlong(const HairCourse& course, float alongM);
 
 /// What laying hair along courses leaves on the direction map: as far as a course lies near the skin, from its root on,
 /// hair below it is laid along, softly to the rim.

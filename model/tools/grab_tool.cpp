@@ -43,7 +43,6 @@ constexpr std::array kGrabOptions{&kGrabKind, &kSizeOption, &kHardnessOption, &k
 constexpr float kStillM = 0.001F;                  ///< A pointer that moved less has not moved.
 constexpr float kAlike = 0.5F;                     ///< Cosine: hair that lies so goes along,
 constexpr float kHangs = 2.0F;                     ///< Of the length that stands up: hair so long hangs.
-constexpr float kLeavesHeadM = 0.12F;              ///< Along hair: from about there on it hangs free.
 constexpr float kUnlike = 0.1F;                    ///< and hair that lies so stays.
 const glm::vec3 kOverTheMiddle(-1.0F, 1.0F, 1.0F); ///< Reflects Hd.
 
@@ -365,8 +364,6 @@ void GrabTool::takeCourse(const GrabbedHair& hair, const ToolContext& context)
         return;
     m_course = std::move(*course);
     m_courseNode = nodeAlong(m_course, hair.alongM);
-    if (!isGuide) // Seen while it is pulled, though it settles only later.
-        m_guides = {{.root = hair.root, .nodesHd = m_course}};
     for (GuideStrand& guide : m_guides)
         guide.held = glm::distance(guide.nodesHd.front(), m_course.front()) < kStillM;
 }
@@ -375,19 +372,10 @@ void GrabTool::takeCourse(const GrabbedHair& hair, const ToolContext& context)
 void GrabTool::layCourse(glm::vec3 targetHd, const ToolSettings& settings)
 {
     std::vector<HairCourse> courses(m_held.size(), m_course);
-    // A node of a guide is bent. Hair that is pulled at its end turns at its root: what hangs from the head moves as
-    // far as the point where it leaves the head.
-    if (settings.grab == GrabKind::Hair) {
-        const glm::vec3 leaves = pointAlong(m_course, std::min(m_alongM, kLeavesHeadM));
-        swingHair(courses.front(), leaves, leaves + targetHd - m_startHd);
-    }
-    HairCourse bent = courses.front();
-    bendHair(bent, m_courseNode, targetHd);
-    if (settings.grab == GrabKind::Guides)
-        courses.front() = bent;
+    bendHair(courses.front(), m_courseNode, targetHd);
     for (GuideStrand& guide : m_guides)
         if (guide.held)
-            guide.nodesHd = bent;
+            guide.nodesHd = courses.front();
     for (std::size_t i = 1; i < courses.size(); ++i)
         for (std::size_t node = 0; node < m_course.size(); ++node)
             courses[i][node] = courses.front()[node] * m_held[i].across;

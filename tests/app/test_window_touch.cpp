@@ -114,43 +114,6 @@ private Q_SLOTS:
         const sim::StrandStyle& style = hair.groom->style(strands.front().slot);
         QVERIFY(style.tipColour != style.rootColour && style.tipStart > 0.1F);
     }
-
-    void hairThatIsPulledByItsTipsIsSeenToGoAlong_data()
-    {
-        QTest::addColumn<bool>("mirrored");
-        QTest::newRow("one side") << false;
-        QTest::newRow("mirrored") << true;
-    }
-    void hairThatIsPulledByItsTipsIsSeenToGoAlong()
-    {
-        QFETCH(bool, mirrored);
-        openWithLongHair();
-        editor().options().setMirror(mirrored);
-        setTools(ToolId::Grab, TouchKind::Seen);
-        model::ToolSettings settings = editor().tools().settings();
-        settings.brushSizeM = 0.04F;
-        editor().tools().setSettings(settings);
-        const Maps before = all();
-        const int steps = stack().count();
-        strokeTo(m_at + QPoint(60, -30), false);
-        QVERIFY(editor().tools().active().active());
-        // The hair in the hand is drawn as it is bent.
-        const std::vector<model::GuideStrand> shown = editor().tools().active().guides();
-        QCOMPARE(shown.size(), std::size_t{1});
-        const Maps preview = all();
-        QTest::mouseRelease(m_head, Qt::LeftButton, {}, m_at + QPoint(60, -30));
-        QVERIFY(same(preview, all()));
-        QCOMPARE(stack().count(), steps + 1);
-        const glm::vec2 root = session().document().project().head->skin->nearest(shown.front().nodesHd.front()).uv;
-        const auto differs = [&](MapKind kind, glm::vec2 uv) {
-            return preview[sim::indexOf(kind)]->sampleNearest(uv) != before[sim::indexOf(kind)]->sampleNearest(uv);
-        };
-        QVERIFY(differs(MapKind::Direction, root) && differs(MapKind::Gel, root));
-        QCOMPARE(differs(MapKind::Gel, otherSide(root)), mirrored);
-        QVERIFY(editor().tools().active().guides().empty());
-        session().document().undo();
-        QVERIFY(same(before, all()));
-    }
 };
 
 } // namespace hairpaint::app

@@ -45,37 +45,6 @@ private Q_SLOTS:
         QVERIFY2(within ? awayM < 1e-3F : awayM > 0.1F, qPrintable(QString::number(static_cast<double>(awayM))));
     }
 
-    void hairThatSwingsKeepsItsShape_data()
-    {
-        QTest::addColumn<float>("x");
-        QTest::addColumn<float>("y");
-        QTest::newRow("aside") << 0.2F << -0.2F;
-        QTest::newRow("straight up") << 0.0F << 0.4F;
-        QTest::newRow("where it is") << 0.0F << -0.4F;
-    }
-    void hairThatSwingsKeepsItsShape()
-    {
-        QFETCH(float, x);
-        QFETCH(float, y);
-        HairCourse course{{0.0F, 0.0F, 0.0F}, {0.03F, -0.1F, 0.0F}, {0.02F, -0.2F, 0.01F}, {0.0F, -0.4F, 0.0F}};
-        const HairCourse before = course;
-        const glm::vec3 target(x, y, 0.0F);
-        swingHair(course, course.back(), target);
-        QCOMPARE(course.front(), before.front());
-        QVERIFY(glm::distance(course[3], glm::normalize(target) * 0.4F) < 1e-4F);
-        for (std::size_t i = 0; i < course.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j)
-                QVERIFY(std::abs(glm::distance(course[i], course[j]) - glm::distance(before[i], before[j])) < 1e-5F);
-    }
-
-    void pointsLieAlongTheHair()
-    {
-        const HairCourse course{{0.0F, 0.0F, 0.0F}, {0.0F, -0.1F, 0.0F}, {0.1F, -0.1F, 0.0F}};
-        QVERIFY(glm::distance(pointAlong(course, 0.15F), glm::vec3(0.05F, -0.1F, 0.0F)) < 1e-6F);
-        QCOMPARE(pointAlong(course, 0.0F), course.front());
-        QCOMPARE(pointAlong(course, 1.0F), course.back());
-    }
-
     void aNodeIsPutWhereThereIsNone()
     {
         HairCourse course{{0.0F, 0.0F, 0.0F}, {0.0F, -0.1F, 0.0F}, {0.0F, -0.2F, 0.0F}};
