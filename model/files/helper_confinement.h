@@ -2,6 +2,8 @@
 // resource limits on Unix, a job object on Windows.
 #pragma once
 
+#include <memory>
+
 class QProcess;
 
 namespace hairpaint::model {
@@ -12,7 +14,6 @@ class HelperConfinement
 {
 public:
     HelperConfinement(QProcess& process, int timeoutMs);
-    ~HelperConfinement();
     HelperConfinement(const HelperConfinement&) = delete;
     HelperConfinement& operator=(const HelperConfinement&) = delete;
 
@@ -22,7 +23,7 @@ public:
 
 private:
     QProcess& m_process;
-    void* m_job = nullptr; ///< Windows alone.
+    std::shared_ptr<void> m_job; ///< A handle, on Windows alone.
 };
 
 } // namespace hairpaint::model

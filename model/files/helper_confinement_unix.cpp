@@ -59,8 +59,6 @@ HelperConfinement::HelperConfinement(QProcess& process, int timeoutMs) : m_proce
     process.setChildProcessModifier([timeoutMs] { confineChild(timeoutMs); });
 }
 
-HelperConfinement::~HelperConfinement() = default;
-
 void HelperConfinement::started() {}
 
 void HelperConfinement::kill()

@@ -18,7 +18,7 @@ namespace {
 /// More than the greatest request and its encoded answer need together.
 constexpr SIZE_T kMostMemoryBytes = 1'900'000'000;
 
-HANDLE makeJob(int timeoutMs)
+std::shared_ptr<void> makeJob(int timeoutMs)
 {
     HANDLE const job = CreateJobObjectW(nullptr, nullptr);
     if (job == nullptr)
@@ -33,7 +33,7 @@ HANDLE makeJob(int timeoutMs)
     limits.BasicLimitInformation.PerJobUserTimeLimit.QuadPart = 2 * (timeoutMs + 2000) * kUnitsPerMs;
     limits.ProcessMemoryLimit = kMostMemoryBytes;
     SetInformationJobObject(job, JobObjectExtendedLimitInformation, &limits, sizeof(limits));
-    return job;
+    return {job, CloseHandle};
 }
 
 /// What a process is started with when it is to inherit only the streams that it is given.
@@ -91,12 +91,6 @@ HelperConfinement::HelperConfinement(QProcess& process, int timeoutMs) : m_proce
         });
 }
 
-HelperConfinement::~HelperConfinement()
-{
-    if (m_job != nullptr)
-        CloseHandle(m_job);
-}
-
 void HelperConfinement::started()
 {
     // Until it is sent a request it waits, so nothing that it decodes runs outside of the job.
@@ -104,15 +98,15 @@ void HelperConfinement::started()
         OpenProcess(PROCESS_SET_QUOTA | PROCESS_TERMINATE, FALSE, static_cast<DWORD>(m_process.processId()));
     if (process == nullptr)
         return;
-    if (m_job != nullptr)
-        AssignProcessToJobObject(m_job, process);
+    if (m_job)
+        AssignProcessToJobObject(m_job.get(), process);
     CloseHandle(process);
 }
 
 void HelperConfinement::kill()
 {
-    if (m_job != nullptr)
-        TerminateJobObject(m_job, 1);
+    if (m_job)
+        TerminateJobObject(m_job.get(), 1);
     m_process.kill();
 }
 
