@@ -186,11 +186,12 @@ private:
         group.settings.braidRadiusM = std::clamp(m_onHead.braidRadiusM, 0.0005F, 0.2F);
         group.settings.braidSpacingM = std::clamp(m_onHead.braidSpacingM, 0.005F, 2.0F);
         group.settings.nodesPerHair = kMostImportedNodes; // They hang and lie in bends.
-        // As many basis hairs as tell patches apart.
+        // So many basis hairs that each braid hangs by its own.
         constexpr float kNarrower = 0.7F; ///< The map's are a little wider than the hair's.
+        constexpr float kGapSpacings = 1.5F; ///< Basis hairs' spacings in a gap between two braids.
         constexpr double kMostForGaps = 65536.0;
         if (m_onHead.braidGapM > 0.0F) {
-            const double spacingM = kNarrower * m_onHead.braidGapM / sim::kBraidReachSpacings;
+            const double spacingM = kNarrower * m_onHead.braidGapM / kGapSpacings;
             group.settings.basisHairs =
                 std::max(group.settings.basisHairs,
                          static_cast<int>(std::min(m_skinAreaM2 / (spacingM * spacingM), kMostForGaps)));
