@@ -67,8 +67,10 @@ void addCandidates(const PictureHair& picture, const TouchedBlocks& touched, std
             best = &touch;
         }
         if (best != nullptr)
-            candidates.push_back(
-                {.nearest = best, .lastNode = last, .isMet = best->apartPx + best->strayPx <= brush.radiusPx});
+            candidates.push_back({.nearest = best,
+                                  .first = first,
+                                  .lastNode = last,
+                                  .isMet = best->apartPx + best->strayPx <= brush.radiusPx});
     }
 }
 
