@@ -30,7 +30,7 @@ constexpr std::array kBraidPalette{
     PaletteEntry{"plait4", QT_TRANSLATE_NOOP("MapSpec", "Plait of four"), 0xFF4060FF},
     PaletteEntry{"plait5", QT_TRANSLATE_NOOP("MapSpec", "Plait of five"), 0xFF00B0F0},
     PaletteEntry{"fishtail", QT_TRANSLATE_NOOP("MapSpec", "Fishtail"), 0xFFE0D000},
-    PaletteEntry{"cornrow", QT_TRANSLATE_NOOP("MapSpec", "Cornrow"), 0xFFC02040},
+    PaletteEntry{"cornrow", QT_TRANSLATE_NOOP("MapSpec", "Cornrow"), 0xFFD03020},
 };
 
 /// Kinds of worn things, by their ids: model/project/worn.h.

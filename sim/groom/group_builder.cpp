@@ -141,7 +141,7 @@ void GroupBuilder::findRelaid(const LayField::Difference& difference, ChangedSlo
     const std::vector<std::uint32_t>& basisSlots = m_roots->basisSlot;
     const VariationSettings& variation = m_groom->settings.variation;
     if (variation.partGapM > 0.0F) {
-        const float reachM = Lay::partReachM(kPartWavers * variation.parting);
+        const float reachM = Lay::partingReachM(kPartWavers * variation.parting);
         m_passed.findPassing(m_layField->band()->around(difference.indices, reachM), m_layField->cellCount(),
                              dirty.hairs);
     } else {

@@ -134,7 +134,7 @@ bool Lay::isBare(const LayRoot& root, float falls, glm::vec3 growth, float gapM)
     return false;
 }
 
-float Lay::partReachM(float partWaversM)
+float Lay::partingReachM(float partWaversM)
 {
     constexpr float kDiagonal = 1.42F;
     return std::max(kProbeM, kDiagonal * partWaversM + kStepM * static_cast<float>(kSteps));

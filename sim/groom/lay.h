@@ -65,7 +65,7 @@ public:
     [[nodiscard]] std::span<const std::int32_t> passed(std::size_t hair) const;
 
     /// How far from a root the field tells whether a parting bares it.
-    [[nodiscard]] static float partReachM(float partWaversM);
+    [[nodiscard]] static float partingReachM(float partWaversM);
 
     /// The length of passed().
     [[nodiscard]] static std::size_t mostPassed(int nodes);

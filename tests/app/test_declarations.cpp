@@ -12,7 +12,9 @@
 namespace {
 
 /// Headers whose functions are defined in several files: a verb, a command, a tool, a head, a system each.
-const QStringList kOfSeveralSources{QStringLiteral("app/cli/command.h"), QStringLiteral("model/disk/own_folder.h"),
+const QStringList kOfSeveralSources{QStringLiteral("app/cli/command.h"),
+                                    QStringLiteral("model/disk/disk_sync.h"),
+                                    QStringLiteral("model/disk/own_folder.h"),
                                     QStringLiteral("model/document/commands.h"),
                                     QStringLiteral("model/heads/built_in_heads.h"),
                                     QStringLiteral("model/tools/tool_list.h")};

@@ -203,7 +203,7 @@ void TestLie::hairBesideAPartingNeitherStandsNorCrossesIt()
         standing += std::ranges::any_of(hairs[i], [&](glm::vec3 p) { return p.y > root.y + 0.02F; }) ? 1 : 0;
     }
     const QString found = QStringLiteral("%1 stand and %2 cross of %3").arg(standing).arg(crossing).arg(beside);
-    QVERIFY2(beside > 4000 && standing == 0 && crossing < 0.02 * beside, qPrintable(found));
+    QVERIFY2(beside > 3000 && standing == 0 && crossing < 0.02 * beside, qPrintable(found));
 }
 
 void TestLie::longHairAboveTheEarsHangsAsItsNeighboursDo()
@@ -211,7 +211,7 @@ void TestLie::longHairAboveTheEarsHangsAsItsNeighboursDo()
     const std::optional<model::Project> project = styledProject(QStringLiteral("Long straight"));
     QVERIFY(project);
     const Strands hairs = exported(app::SettledHair(*project, 3.0));
-    QVERIFY(hairs.size() > 70000);
+    QVERIFY(hairs.size() > 60000);
     // What is laid over an ear points away from the head, and sinks.
     const auto aside = std::ranges::count_if(hairs, [](const std::vector<glm::vec3>& hair) {
         return std::ranges::any_of(
@@ -235,7 +235,7 @@ void TestLie::hairAtTheEdgeOfAPartingLiesToItsOwnSide()
         crossing += hair[kNode].x * (root.x > 0.0F ? 1.0F : -1.0F) < -0.01F ? 1 : 0;
     }
     // Single hairs fly away or keep to a lock of the other side.
-    QVERIFY2(beside > 6000 && crossing < 0.001 * beside,
+    QVERIFY2(beside > 4000 && crossing < 0.001 * beside,
              qPrintable(QStringLiteral("%1 of %2").arg(crossing).arg(beside)));
 }
 

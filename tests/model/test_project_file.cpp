@@ -70,8 +70,9 @@ private Q_SLOTS:
     {
         // The numbers stand in files, so they stay what they are.
         const MapSpec& spec = mapSpec(MapKind::Braid);
-        constexpr std::uint16_t kCount = 4;
-        const std::array<const char*, kCount> ids = {"none", "plait", "twist", "loc"};
+        constexpr std::uint16_t kCount = 8;
+        const std::array<const char*, kCount> ids = {"none",   "plait",  "twist",    "loc",
+                                                     "plait4", "plait5", "fishtail", "cornrow"};
         QCOMPARE(spec.palette.size(), std::size_t{kCount});
         Project project = newProject();
         sim::TiledRaster& painted = project.groups.front().map(MapKind::Braid).layers.front().raster;
@@ -88,7 +89,7 @@ private Q_SLOTS:
             QCOMPARE(read.texel(i, 7), (sim::Texel{i, 65535, 0, 0}));
 
         // A number of a later program is no braid.
-        painted.setTexel(0, 9, {4, 65535, 0, 0});
+        painted.setTexel(0, 9, {kCount, 65535, 0, 0});
         QVERIFY(saveProject(project, path("later.hairpaint"), {}));
         const Project later = opened(path("later.hairpaint"));
         QCOMPARE(later.groups.front().map(MapKind::Braid).layers.front().raster.texel(0, 9),

@@ -377,7 +377,7 @@ private Q_SLOTS:
         QVERIFY(isSeen(rows.front()) && !isSeen(rows.back()));
         rows[9]->setFocus();
         f.state.target().setMap(MapKind::Direction);
-        for (int down = 0; down < 4; ++down)
+        for (int down = 0; down < 5; ++down)
             QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
         QVERIFY(f.state.target().map() == MapKind::Accessory);
         QTRY_VERIFY(isSeen(rows.back()) && !isSeen(rows.front()));
