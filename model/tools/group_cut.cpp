@@ -124,11 +124,12 @@ void GroupCut::cut(const std::function<float(std::uint32_t slot, float lengthM)>
         if (!m_hair->isPositioned(slot))
             continue;
         const sim::StrandStyle& style = groom().style(slot);
-        const float lengthM = style.braid == sim::BraidKind::None ? m_before->at(slot) : style.lengthM;
+        const bool isBraided = style.braid != sim::BraidKind::None;
+        const float lengthM = isBraided ? style.lengthM : m_before->at(slot);
         if (lengthM < kLeastLengthM)
             continue;
         if (const float kept = keptOf(slot, lengthM); kept < 1.0F)
-            cuts.push_back({.slot = slot, .kept = kept});
+            cuts.push_back({.slot = slot, .kept = isBraided ? kept : m_before->keptFor(slot, kept * lengthM)});
     }
     m_lengths->cut(cuts, false);
     m_edit.replace(m_lengths->tiles(), [this](int index, const sim::RasterTilePtr& before) {

@@ -247,11 +247,12 @@ void ScissorsTool::takePresent(std::vector<StrandCut>& cuts)
     const sim::Groom& groom = *m_seen->hair()->groom;
     std::erase_if(cuts, [&](StrandCut& one) {
         const sim::StrandStyle& seen = groom.style(one.slot);
+        const bool isBraided = seen.braid != sim::BraidKind::None;
         float& presentM = m_presentM[one.slot];
         if (presentM < 0.0F)
-            presentM = seen.braid == sim::BraidKind::None ? m_present->at(one.slot) : seen.lengthM;
+            presentM = isBraided ? seen.lengthM : m_present->at(one.slot);
         const float keptM = one.kept * seen.lengthM;
-        one.kept = keptM / std::max(presentM, kSameM);
+        one.kept = isBraided ? keptM / std::max(presentM, kSameM) : m_present->keptFor(one.slot, keptM);
         return keptM > presentM - kSameM;
     });
 }

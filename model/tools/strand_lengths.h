@@ -17,8 +17,14 @@ public:
     /// m, of the skeleton of a hair that is not in a braid; a baby hair's as if it were none, for that is what the map
     /// can tell.
     [[nodiscard]] float at(std::uint32_t slot) const;
+    /// The fraction of the length that its map gives of which that hair has `lengthM`, >= 0; chance takes more of some
+    /// lengths than of others.
+    [[nodiscard]] float keptFor(std::uint32_t slot, float lengthM) const;
 
 private:
+    /// m, before chance and the hairline shorten it.
+    [[nodiscard]] float uncutAt(std::uint32_t slot) const;
+
     std::shared_ptr<const sim::RootSet> m_roots;
     sim::Hairline m_hairline;
     sim::GroupSettings m_settings;

@@ -48,6 +48,17 @@ enum Which : std::uint64_t
     StrayAlong
 };
 
+constexpr float kLeastLengthM = 1e-4F;
+constexpr float kOfPatches = 0.1F; ///< Of a length, at most.
+
+/// 0..1: how far a root lies in a patch of shorter hair.
+float inPatch(const VariationSettings& settings, glm::vec3 rootHd)
+{
+    constexpr float kAcross = 0.45F; ///< Of how fast it wavers: patches some 5 cm apart.
+    constexpr float kPhase = 3.3F;
+    return settings.patches * (0.5F + 0.5F * wavering(rootHd * kAcross, kPhase));
+}
+
 /// By an angle around a unit axis.
 class Turn
 {
@@ -126,16 +137,28 @@ glm::vec3 strayOf(const VariationSettings& settings, std::uint64_t seed, std::ui
 
 float lengthLeft(const VariationSettings& settings, float ownLength, float lengthM, glm::vec3 rootHd)
 {
-    constexpr float kOfPatches = 0.1F;
-    constexpr float kAcross = 0.45F; ///< Of how fast it wavers: patches some 5 cm apart.
-    constexpr float kPhase = 3.3F;
-    const float most = settings.mostShorterM > 0.0F ? settings.mostShorterM / std::max(lengthM, 1e-4F) : 1.0F;
+    const float most = settings.mostShorterM > 0.0F ? settings.mostShorterM / std::max(lengthM, kLeastLengthM) : 1.0F;
     float left = std::max(ownLength, 1.0F - most);
-    if (settings.patches > 0.0F) {
-        const float in = 0.5F + 0.5F * wavering(rootHd * kAcross, kPhase);
-        left *= 1.0F - settings.patches * in * std::min(kOfPatches, most);
-    }
+    if (settings.patches > 0.0F)
+        left *= 1.0F - inPatch(settings, rootHd) * std::min(kOfPatches, most);
     return left;
+}
+
+float lengthBefore(const VariationSettings& settings, float ownLength, float leftM, glm::vec3 rootHd)
+{
+    const float patch = settings.patches > 0.0F ? inPatch(settings, rootHd) : 0.0F;
+    const float mostM = settings.mostShorterM;
+    // Each part of lengthLeft() grows with the length, so of the greater of two it is the lesser of their inverses.
+    const float shorterM = leftM / (1.0F - kOfPatches * patch);
+    if (mostM <= 0.0F)
+        return shorterM / ownLength;
+    const float shortM = std::min(shorterM / ownLength, shorterM + mostM);
+    if (kOfPatches * shortM <= mostM)
+        return shortM;
+    // Patches take their most, too: own (x - patch most), or (x - most)(1 - patch most / x).
+    const float sumM = leftM + mostM + patch * mostM;
+    const float rootM = std::sqrt(sumM * sumM - 4.0F * patch * mostM * mostM);
+    return std::min(leftM / ownLength + patch * mostM, 0.5F * (sumM + rootM));
 }
 
 float densityLeft(const VariationSettings& settings, glm::vec3 rootHd)

@@ -45,6 +45,8 @@ inline constexpr float kPartAlongPhase = 2.1F;
 /// What is left of a hair of `lengthM` at a root: `own.length`, at most `settings.mostShorterM` shorter where that is
 /// not 0, and less in patches.
 [[nodiscard]] float lengthLeft(const VariationSettings& settings, float ownLength, float lengthM, glm::vec3 rootHd);
+/// The `lengthM` of which lengthLeft() leaves `leftM`, m; infinite where it leaves nothing of any length.
+[[nodiscard]] float lengthBefore(const VariationSettings& settings, float ownLength, float leftM, glm::vec3 rootHd);
 /// What patches leave of the density at a root: exactly 1 without.
 [[nodiscard]] float densityLeft(const VariationSettings& settings, glm::vec3 rootHd);
 

@@ -41,20 +41,21 @@ struct HairyPicture : HeadFixture
                 slots.push_back(slot);
         return slots;
     }
-    [[nodiscard]] std::vector<glm::vec3> curveWo(std::uint32_t slot) const
+    /// `finer` times as many segments as are drawn at least.
+    [[nodiscard]] std::vector<glm::vec3> curveWo(std::uint32_t slot, int finer = 1) const
     {
         const sim::Groom& groom = *hair().groom;
         std::vector<glm::vec3> nodes(static_cast<std::size_t>(groom.nodes)), points;
         groom.blocks().read(hair().positions, groom.frameStrand(slot), nodes);
         sim::evaluateStrand(nodes, sim::frameTangentHd(groom, slot), groom.style(slot),
-                            sim::segmentsOf(groom.style(slot), groom.nodes, sim::coilsOf(groom.settings)), points,
-                            sim::coilsOf(groom.settings));
+                            finer * sim::segmentsOf(groom.style(slot), groom.nodes, sim::coilsOf(groom.settings)),
+                            points, sim::coilsOf(groom.settings));
         return points;
     }
-    [[nodiscard]] std::vector<QPointF> curve(std::uint32_t slot) const
+    [[nodiscard]] std::vector<QPointF> curve(std::uint32_t slot, int finer = 1) const
     {
         std::vector<QPointF> seen;
-        for (const glm::vec3& point : curveWo(slot))
+        for (const glm::vec3& point : curveWo(slot, finer))
             seen.push_back(view::project(area.camera(), point, QSizeF(area.size())).value_or(QPointF(1e6, 1e6)));
         return seen;
     }
@@ -168,6 +169,7 @@ private Q_SLOTS:
         QFETCH(int, curl);
         const HairyPicture f(static_cast<std::uint16_t>(curl));
         constexpr double kRadius = 14.0;
+        constexpr int kFiner = 2; // Coarse chords cut a curl's corners by more than a pixel.
         const QPointF from(352.0, 160.0);
         const QPointF to(356.0, 190.0);
         const std::vector<model::SeenStrand> met = f.picture->passed(from, to, kRadius);
@@ -176,7 +178,7 @@ private Q_SLOTS:
         QVERIFY(met.size() > 10);
         std::set<std::uint32_t> below;
         for (const std::uint32_t slot : f.positioned()) {
-            const std::vector<QPointF> curve = f.curve(slot);
+            const std::vector<QPointF> curve = f.curve(slot, kFiner);
             double nearest = 1e9;
             for (std::size_t i = 1; i < curve.size(); ++i) {
                 for (int part = 0; part <= 10; ++part)
