@@ -32,19 +32,23 @@ constexpr float kParts = 1.8F;        ///< The bundle ends where it is so many t
 constexpr float kTied = 0.6F;         ///< or, where it is narrow somewhere before that, there.
 constexpr float kLeastBraided = 0.5F; ///< Of what is looked at.
 constexpr float kShortestBraidM = 0.03F;
-// Of braids that our own kinds make: the fraction of the square of distances that strands go from side to side is .64
-// to .67 in plaits, .6 in twists; .53 and .75 of turning are in one direction; strands cross in one direction 2.0
-// to 2.2 times as often as the other, and 1.2; positions agree, as axes, by .33 and .57. Locks of ringlets come near
-// the one or the other.
-constexpr Range kWeaves{0.5F, 0.8F};
-constexpr float kLies = 0.25F; ///< In a loc; 0 in ours.
+// Of braids that our own kinds make, whose hairs turn about the middle of their wisp: the fraction of the square of
+// distances that strands go from side to side is .98 to 1 in plaits, .93 in twists; .13 to .23 and .8 of turning are in
+// one direction; strands cross in one direction 2.0 to 2.1 times as often as the other, and 1.1; positions agree, as
+// axes, by .24 to .31 and .41. Where hairs do not turn in their wisp, as in files of former versions: .64 to .67 and
+// .6, .53 and .75, 2.0 to 2.2 and 1.2, .33 and .57. Locks of ringlets come near the one or the other, but agree by .7.
+constexpr Range kWeaves{0.5F, 1.0F};
 constexpr float kLeastTurns = 1.2F;
-constexpr Range kPlaitSteadiness{0.42F, 0.65F};
+constexpr Range kPlaitSteadiness{0.08F, 0.65F};
 constexpr Range kPlaitSwing{1.7F, 2.5F};
 constexpr Range kPlaitAgreement{0.0F, 0.45F};
 constexpr Range kTwistSteadiness{0.65F, 1.0F};
 constexpr Range kTwistSwing{1.0F, 1.5F};
-constexpr Range kTwistAgreement{0.4F, 0.67F};
+constexpr Range kTwistAgreement{0.34F, 0.62F};
+// In a loc strands lie, or all turn one way, and stand all around: .98 to 1 and .02 to .08 in ours.
+constexpr float kLies = 0.25F;
+constexpr float kLocSteadiness = 0.9F;
+constexpr float kLocAgreement = 0.2F;
 constexpr float kGathered = 1.5F;    ///< Roots stand so many times as wide apart as the braid is.
 constexpr float kLocGathered = 3.5F; ///< A lock comes near this.
 constexpr float kWidestLocM = 8e-3F;
@@ -307,26 +311,27 @@ private:
             return distance / std::sqrt(path + 0.5F * wisp * wisp);
         };
         const float gathered = rootsWidthM() / std::max(distanceM, 1e-6F);
-        if (kWeaves.has(fraction)) {
-            const auto [anyTurns, steadiness] = turning(distanceM);
-            if (anyTurns < kLeastTurns || gathered < kGathered)
-                return false;
+        const auto [anyTurns, steadiness] = turning(distanceM);
+        const float agreement = opposition();
+        if (kWeaves.has(fraction) && anyTurns >= kLeastTurns && gathered >= kGathered) {
             const float swings = swing(distanceM);
-            const float agreement = opposition();
             if (kPlaitSteadiness.has(steadiness) && kPlaitSwing.has(swings) && kPlaitAgreement.has(agreement)) {
                 braid.kind = sim::BraidKind::Plait;
                 braid.radiusM = radiusBy(1.0F, sim::kWispRadiusFraction);
                 return true;
             }
-            braid.kind = sim::BraidKind::Twist;
-            braid.radiusM = radiusBy(sim::kTwistFraction * sim::kTwistFraction, sim::kTwistWispFraction);
-            return kTwistSteadiness.has(steadiness) && kTwistSwing.has(swings) && kTwistAgreement.has(agreement);
+            if (kTwistSteadiness.has(steadiness) && kTwistSwing.has(swings) && kTwistAgreement.has(agreement)) {
+                braid.kind = sim::BraidKind::Twist;
+                braid.radiusM = radiusBy(sim::kTwistFraction * sim::kTwistFraction, sim::kTwistWispFraction);
+                return true;
+            }
         }
+        const bool isOneWisp = fraction < kLies || (steadiness > kLocSteadiness && agreement < kLocAgreement);
         const auto [thinnest, widest] = std::minmax_element(m_widthM.begin() + static_cast<std::ptrdiff_t>(m_first),
                                                             m_widthM.begin() + static_cast<std::ptrdiff_t>(m_end));
         braid.kind = sim::BraidKind::Loc;
         braid.radiusM = radiusBy(0.0F, sim::kLocWispFraction);
-        return fraction < kLies && distanceM < kWidestLocM && *widest < kEvenLoc * *thinnest && gathered > kLocGathered;
+        return isOneWisp && distanceM < kWidestLocM && *widest < kEvenLoc * *thinnest && gathered > kLocGathered;
     }
 
     float m_stepM = 0.0F;

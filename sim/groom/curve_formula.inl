@@ -244,6 +244,7 @@ CURVE_FUNCTION BraidGirth braidGirth(BraidedHair hair, Lacing lacing, Num q)
     BraidGirth girth;
     girth.tuft = select(isOne, Num(0.0F), over(most(q - (1.0F - kTuftFraction), Num(0.0F)), kTuftFraction));
     Num opened = least(over(girth.tuft, kTuftOpens), Num(1.0F));
+    opened = opened * opened * (3.0F - opened * 2.0F); // A hair has no corner.
     Num narrowed = most(over(girth.tuft - kTuftOpens, 1.0F - kTuftOpens), Num(0.0F));
     girth.pathM = r * mixed(Num(1.0F), Num(kTieBraidFraction), tied) * (1.0F - opened);
     // One of all wisps, as thick as a wisp of a plait of three would be where they are finer.

@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <numeric>
 
 using namespace hairpaint;
 using namespace hairpaint::model;
@@ -22,7 +23,11 @@ constexpr float kLengthM = 0.2F;
 constexpr float kRadiusM = 0.007F;
 constexpr float kSpacingM = 0.08F;
 constexpr float kDensityPerM2 = 50'000.0F; ///< With more hairs the maps are of 512 texels a side.
+constexpr float kHairWidthM = 1.2e-4F;     ///< So thick that so many fill a plait of that radius.
 constexpr std::uint16_t kAll = 65535;
+
+/// Of texels, by sim::BraidKind.
+using KindCounts = std::array<int, static_cast<std::size_t>(sim::kLastBraidKind) + 1>;
 
 } // namespace
 
@@ -43,10 +48,10 @@ private:
         return groups && groups->size() == 1 ? std::optional<HairGroup>(std::move(groups->front())) : std::nullopt;
     }
     /// How many texels of the skin have each kind of braid.
-    [[nodiscard]] static std::array<int, 4> kindsIn(const HairGroup& group)
+    [[nodiscard]] static KindCounts kindsIn(const HairGroup& group)
     {
         const sim::TiledRaster& raster = group.map(MapKind::Braid).layers.front().raster;
-        std::array<int, 4> counts{};
+        KindCounts counts{};
         for (int y = 0; y < raster.size(); y += 4)
             for (int x = 0; x < raster.size(); x += 4)
                 ++counts.at(raster.texel(x, y)[0]);
@@ -58,6 +63,7 @@ private:
         group.settings.greatestDensityPerM2 = kDensityPerM2;
         group.settings.greatestLengthM = kLengthM;
         group.settings.braidRadiusM = kRadiusM;
+        group.settings.material.widthM = kHairWidthM;
         group.settings.braidSpacingM = kSpacingM;
         group.settings.basisHairs = 2000;
         group.settings.nodesPerHair = 16;
@@ -78,8 +84,8 @@ private Q_SLOTS:
         QFETCH(int, kind);
         const std::optional<HairGroup> group = back(braided(static_cast<sim::BraidKind>(kind)));
         QVERIFY(group);
-        const std::array<int, 4> counts = kindsIn(*group);
-        for (int other = 0; other < 4; ++other)
+        const KindCounts counts = kindsIn(*group);
+        for (int other = 0; other < static_cast<int>(counts.size()); ++other)
             QVERIFY2(counts.at(static_cast<std::size_t>(other)) * 20 < counts.at(static_cast<std::size_t>(kind)) ||
                          other == kind,
                      qPrintable(QStringLiteral("%1: %2").arg(other).arg(counts.at(static_cast<std::size_t>(other)))));
@@ -113,8 +119,8 @@ private Q_SLOTS:
         group.maps[sim::MapSlot::Clump] = flat(1, {static_cast<std::uint16_t>(clump)});
         const std::optional<HairGroup> found = back(group);
         QVERIFY(found);
-        const std::array<int, 4> counts = kindsIn(*found);
-        QCOMPARE(counts[1] + counts[2] + counts[3], 0);
+        const KindCounts counts = kindsIn(*found);
+        QCOMPARE(std::accumulate(counts.begin() + 1, counts.end(), 0), 0);
     }
 };
 
