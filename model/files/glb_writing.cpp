@@ -157,7 +157,9 @@ QJsonObject attributesOf(GlbWriter& writer, const RiggedMesh& mesh, const MeshRa
         return attributes;
     std::vector<decltype(BoneWeights::joints)> joints;
     std::vector<glm::vec4> weights;
-    for (const BoneWeights& bones : std::span(mesh.skeleton.weights).subspan(range.firstVertex, range.vertices)) {
+    const std::vector<BoneWeights>& all = mesh.skeleton.weights; // Too few are written as they are.
+    const std::size_t first = std::min(range.firstVertex, all.size());
+    for (const BoneWeights& bones : std::span(all).subspan(first, std::min(range.vertices, all.size() - first))) {
         joints.push_back(bones.joints);
         weights.push_back(bones.weights);
     }

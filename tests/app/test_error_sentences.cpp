@@ -101,6 +101,10 @@ const Exceptions& otherClauses()
     static const Exceptions exceptions = {
         {QStringLiteral("an earlier part of it could not be written"),
          QStringLiteral("of the journal, beside which the window says to save now and then")},
+        {QStringLiteral("its uv tiles lie side by side on the maps: 1001, %1"),
+         QStringLiteral("a remark on a head that came in")},
+        {QStringLiteral("without uv coordinates, so no hair grows there: %1"),
+         QStringLiteral("a remark on a head that came in")},
     };
     return exceptions;
 }

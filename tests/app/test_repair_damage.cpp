@@ -8,6 +8,8 @@
 
 #include <QPlainTextEdit>
 
+#include <algorithm>
+
 namespace hairpaint::app {
 
 namespace {
@@ -41,7 +43,7 @@ private:
     QString m_path;
     QByteArray m_damaged;
 
-    /// The last map's image is cut through.
+    /// The file ends within the image of Direction, which comes after that of Density.
     void writeDamaged()
     {
         model::Project project = model::newProject();
@@ -54,7 +56,11 @@ private:
         m_path = m_folder.filePath(QStringLiteral("Maria.hairpaint"));
         QVERIFY(model::saveProject(project, m_path, {}));
         const QByteArray whole = test::readBytes(m_path);
-        m_damaged = whole.first(whole.size() * 9 / 10);
+        const std::vector<test::EntrySpan> entries = test::spansOf(whole);
+        const auto cut = std::ranges::find_if(
+            entries, [](const test::EntrySpan& entry) { return entry.name.contains(QStringLiteral("/direction/")); });
+        QVERIFY(cut != entries.end());
+        m_damaged = whole.first(cut->at + (cut->end - cut->at) / 2);
         test::writeBytes(m_path, m_damaged);
     }
 

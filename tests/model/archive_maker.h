@@ -3,6 +3,7 @@
 
 #include <QByteArray>
 #include <QFile>
+#include <QString>
 #include <QtEndian>
 
 #include <functional>
@@ -124,6 +125,31 @@ inline QByteArray pngOf(quint32 width, quint32 height, int depth, int colourType
 {
     return pngSignature() + pngHeader(width, height, depth, colourType) + pngChunk("IDAT", packed) +
            pngChunk("IEND", {});
+}
+
+/// Where the bytes of an entry lie in a file.
+struct EntrySpan
+{
+    QString name;
+    qsizetype at = 0;
+    qsizetype end = 0;
+};
+
+/// In their order; of archives whose entries tell their sizes ahead of them.
+inline std::vector<EntrySpan> spansOf(const QByteArray& bytes)
+{
+    std::vector<EntrySpan> spans;
+    const QByteArray mark("PK\x03\x04", 4);
+    for (qsizetype at = bytes.indexOf(mark); at >= 0; at = bytes.indexOf(mark, at)) {
+        const auto packed = qFromLittleEndian<quint32>(bytes.constData() + at + 18);
+        const auto nameBytes = qFromLittleEndian<quint16>(bytes.constData() + at + 26);
+        const qsizetype begin = at + 30 + nameBytes;
+        spans.push_back({.name = QString::fromLatin1(bytes.sliced(at + 30, nameBytes)),
+                         .at = begin,
+                         .end = begin + static_cast<qsizetype>(packed)});
+        at = spans.back().end;
+    }
+    return spans;
 }
 
 inline void writeBytes(const QString& path, const QByteArray& bytes)

@@ -14,32 +14,10 @@
 
 using namespace hairpaint;
 using namespace hairpaint::model;
+using test::EntrySpan;
+using test::spansOf;
 
 namespace {
-
-/// Where the bytes of an entry lie in a file.
-struct EntrySpan
-{
-    QString name;
-    qsizetype at = 0;
-    qsizetype end = 0;
-};
-
-std::vector<EntrySpan> spansOf(const QByteArray& bytes)
-{
-    std::vector<EntrySpan> spans;
-    const QByteArray mark("PK\x03\x04", 4);
-    for (qsizetype at = bytes.indexOf(mark); at >= 0; at = bytes.indexOf(mark, at)) {
-        const auto packed = qFromLittleEndian<quint32>(bytes.constData() + at + 18);
-        const auto nameBytes = qFromLittleEndian<quint16>(bytes.constData() + at + 26);
-        const qsizetype begin = at + 30 + nameBytes;
-        spans.push_back({.name = QString::fromLatin1(bytes.sliced(at + 30, nameBytes)),
-                         .at = begin,
-                         .end = begin + static_cast<qsizetype>(packed)});
-        at = spans.back().end;
-    }
-    return spans;
-}
 
 /// From the top down as it was, then nothing painted.
 bool isCutFromBelow(const sim::TiledRaster& left, const sim::TiledRaster& was, const MapSpec& spec)
