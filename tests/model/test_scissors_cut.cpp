@@ -31,7 +31,7 @@ private Q_SLOTS:
         QTest::newRow("straight") << QStringLiteral("Long straight") << -0.09F << 0.005;
         QTest::newRow("waved") << QStringLiteral("Bob") << -0.02F << 0.005;
         QTest::newRow("ringlets") << QStringLiteral("Ringlets") << -0.05F << 0.008;
-        QTest::newRow("coils") << QStringLiteral("Round afro") << 0.03F << 0.005;
+        QTest::newRow("coils") << QStringLiteral("Round afro") << 0.024F << 0.005;
     }
     void aStraightCutIsStraight()
     {
