@@ -130,7 +130,9 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
     state.field(basisIndex, kInverseSquare) = segment > 0.0F ? 1.0F / (segment * segment) : 0.0F;
     state.field(basisIndex, kBend) = bendingGain(physics.stiffnessM, segment);
     state.field(basisIndex, kHold) = hold;
-    state.field(basisIndex, kLoft) = loftGain(physics.loft);
+    // A braid is no coat: its weight hangs where it likes.
+    const bool isBraided = basis[BasisQuantity::Girth][basisIndex] > 0.0F;
+    state.field(basisIndex, kLoft) = isBraided ? 0.0F : loftGain(physics.loft);
     state.field(basisIndex, kHoldKeep) = damped(hold / (1.0F + hold));
     state.field(basisIndex, kLieX) = lie.x;
     state.field(basisIndex, kLieY) = lie.y;
@@ -147,8 +149,7 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
         girthM = std::max(girthM, std::min(2.0F * physics.body, 1.0F) *
                                       heldUpM(colliders, std::span(rest).first(nodes), segment, physics.volumeM));
     state.field(basisIndex, kGirth) = std::min(girthM, kMostGirthM);
-    constexpr float kGivenBack = 0.9F;
-    const bool isBraided = basis[BasisQuantity::Girth][basisIndex] > 0.0F;
+    constexpr float kGivenBack = 1.0F; // With less, what is left over keeps a braid creeping over a shoulder.
     state.field(basisIndex, kRecoil) = isBraided && physics.body > 0.0F ? kGivenBack : 0.0F;
     state.field(basisIndex, kGive) = basis[BasisQuantity::Give][basisIndex] / (1.0F + hold);
     state.field(basisIndex, kStretch) =
