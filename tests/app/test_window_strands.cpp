@@ -35,8 +35,8 @@ private Q_SLOTS:
         setTools(model::ToolId::Brush, touch);
         const QPoint to = m_at + QPoint(0, 20);
         const auto seen = seenHair();
-        // The brush is a little larger or smaller than this where hair is nearer or further.
-        const double radiusPx = 0.008 * view::Lens(m_window->headView().camera(), QSizeF(m_head->size())).pxPerM(0.5F);
+        // Twice the brush: it is larger or smaller on the screen where hair is nearer or further.
+        const double radiusPx = 0.01 * view::Lens(m_window->headView().camera(), QSizeF(m_head->size())).pxPerM(0.5F);
         const std::vector<model::SeenStrand> passed = seen->passed(m_at, to, radiusPx);
         const auto before = map(MapKind::Colour);
         const int steps = stack().count();
