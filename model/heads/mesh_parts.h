@@ -29,8 +29,8 @@ struct MeshPart
     static constexpr std::size_t kMost = 1024;
     static constexpr int kMostTiles = 10; ///< Across, as UDIM counts them, and up.
 
-    std::string name;     ///< Of the object; as isJointName() has it.
-    std::string material; ///< Likewise; empty where it has none.
+    std::string name;       ///< Of the object; as isJointName() has it.
+    std::string material;   ///< Likewise; empty where it has none.
     bool hasLayout = true;  ///< Else all its uvs are the same.
     glm::ivec2 tile{0};     ///< Of the uv plane, where its layout lay before it was moved to 0..1; 0 .. kMostTiles - 1.
     glm::vec3 colour{0.8F}; ///< Linear, 0..1; times the texture.

@@ -187,7 +187,7 @@ private:
         group.settings.braidSpacingM = std::clamp(m_onHead.braidSpacingM, 0.005F, 2.0F);
         group.settings.nodesPerHair = kMostImportedNodes; // They hang and lie in bends.
         // So many basis hairs that each braid hangs by its own.
-        constexpr float kNarrower = 0.7F; ///< The map's are a little wider than the hair's.
+        constexpr float kNarrower = 0.7F;    ///< The map's are a little wider than the hair's.
         constexpr float kGapSpacings = 1.8F; ///< Basis hairs' spacings in a gap between two braids.
         constexpr double kMostForGaps = 65536.0;
         if (m_onHead.braidGapM > 0.0F) {

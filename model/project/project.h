@@ -99,8 +99,9 @@ struct Head
     std::shared_ptr<const sim::HeadMesh> shownMesh; ///< What is drawn; finer than the skin's for a built-in head.
     /// How hair streams over the head where nobody combed it, as a direction map has it; null where it is not known.
     sim::MapRaster naturalDirection = {};
-    std::vector<HeadPart> parts = {};                     ///< Hd: seen and touched, without hair of their own.
-    std::shared_ptr<const sim::MeshTexture> texture = {}; ///< That its file shows on the skin; null where there is none.
+    std::vector<HeadPart> parts = {}; ///< Hd: seen and touched, without hair of their own.
+    std::shared_ptr<const sim::MeshTexture> texture =
+        {}; ///< That its file shows on the skin; null where there is none.
 };
 
 inline constexpr int kMostHairs = 4'000'000; ///< A file may ask for this many.

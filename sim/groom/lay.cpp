@@ -85,7 +85,7 @@ bool Lay::isBare(const LayRoot& root, float falls, glm::vec3 growth, float gapM)
 {
     constexpr float kDiverges = 1.0F; ///< Directions on both sides of a parting, by twice their length at most,
     constexpr float kOneWay = 0.5F;   ///< and less along it; in a whorl they do all around.
-    constexpr float kCrosses = 0.7F; ///< From that chance on a hair crosses the line all the same.
+    constexpr float kCrosses = 0.7F;  ///< From that chance on a hair crosses the line all the same.
     if (root.chance > kCrosses || glm::dot(growth, growth) < kStandsBelow * kStandsBelow)
         return false;
     const SkinBand& band = *m_inputs.field->band();

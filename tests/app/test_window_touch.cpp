@@ -103,9 +103,10 @@ private Q_SLOTS:
         QVERIFY(*map(MapKind::Colour) == *colours);
         std::size_t begin = 0;
         for (const model::SeenStrand& one : strands)
-            begin += std::abs(map(MapKind::TipStart)->sampleNearest(one.root.uv)[0] / 65535.0F - one.firstFraction) < 0.05F
-                         ? 1
-                         : 0;
+            begin +=
+                std::abs(map(MapKind::TipStart)->sampleNearest(one.root.uv)[0] / 65535.0F - one.firstFraction) < 0.05F
+                    ? 1
+                    : 0;
         QVERIFY2(10 * begin > 8 * strands.size(),
                  qPrintable(QStringLiteral("%1 of %2").arg(begin).arg(strands.size())));
         awaitNewestHair();

@@ -264,8 +264,9 @@ void TestGroomUpdates::repaintingTheOldValueBringsTheOldBytesBack()
 {
     QFETCH(MapSlot, map);
     GroomInput input = startInput();
-    input.groups[0].maps[MapSlot::TipColour] = withDab(input.groups[0].maps[MapSlot::TipColour], {0.5F, 0.6F}, 0.2F,
-                                                       {65535, 0, 0}); // Where else tips begin is not looked at.
+    if (map == MapSlot::TipStart) // Where tips begin is looked at where they have a colour of their own.
+        input.groups[0].maps[MapSlot::TipColour] =
+            withDab(input.groups[0].maps[MapSlot::TipColour], {0.5F, 0.6F}, 0.2F, {65535, 0, 0});
     GroomBuilder builder;
     const auto before = builder.update(input).grooms[0];
     auto& raster = input.groups[0].maps[map];

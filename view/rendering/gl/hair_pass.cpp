@@ -14,7 +14,7 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr unsigned kWorkgroup = 64;
-constexpr float kVoxelUnitM2 = 1e-9F;   ///< Hair's area that one unit of a voxel stands for.
+constexpr float kVoxelUnitM2 = 1e-9F; ///< Hair's area that one unit of a voxel stands for.
 
 // The shaders stop at what is opaque, so that more of what lies deep is drawn than in software.
 constexpr DepthOfCoat kFineDepth{

@@ -176,7 +176,8 @@ void HeadLayer::drawSolids()
         m_solidProgram.set("solidSemiAxesM", glm::vec4(solid.shape.semiAxesM, 0.0F));
         m_solidProgram.set("solidRotation", glm::vec4(rotation.x, rotation.y, rotation.z, rotation.w));
         constexpr int kTextureUnit = 0;
-        m_solidProgram.set("solidTextured", glm::vec4(mesh->shown ? 1.0F : 0.0F, solid.masked ? 0.5F : 0.0F, 0.0F, 0.0F));
+        m_solidProgram.set("solidTextured",
+                           glm::vec4(mesh->shown ? 1.0F : 0.0F, solid.masked ? 0.5F : 0.0F, 0.0F, 0.0F));
         m_solidProgram.set("solidTexture", kTextureUnit);
         if (mesh->shown)
             mesh->texture.bind(static_cast<unsigned>(kTextureUnit));

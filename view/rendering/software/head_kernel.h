@@ -40,11 +40,11 @@ struct HeadBand
     int endRow = 0;
     float samplesPerM = 0.0F; ///< That a metre covers at a distance of 1 m.
     SkinLighting lighting;
-    bool isTinted = false;         ///< Whether any vertex is.
+    bool isTinted = false;                     ///< Whether any vertex is.
     const sim::MeshTexture* texture = nullptr; ///< Null: none.
     glm::vec3 textureColour{1.0F};             ///< Linear, times the texture.
     bool isMasked = false;                     ///< By the texture's alpha.
-    HeadSample* samples = nullptr; ///< The picture's; rows are `width` long.
+    HeadSample* samples = nullptr;             ///< The picture's; rows are `width` long.
     float* distancesM = nullptr;
 };
 /// Draws the band's triangles and lights them, over what was drawn there of other meshes. It adds up how much of a

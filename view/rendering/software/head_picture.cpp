@@ -174,8 +174,9 @@ void HeadPicture::transformParts(const Mesh& mesh, const FrameConstants& constan
         const glm::vec4 rotation(q.x, q.y, q.z, q.w);
         transformInto(part->vertices, body.positionsHd.size(), [&](std::size_t i) {
             const glm::vec3 normal = body.normalsHd[i] / solid.shape.semiAxesM;
-            HeadVertex vertex = transform.at(solid.shape.centreHd + turnedBy(rotation, body.positionsHd[i] * solid.shape.semiAxesM),
-                                turnedBy(rotation, normal / std::sqrt(glm::dot(normal, normal))), sim::SkinMarks{});
+            HeadVertex vertex =
+                transform.at(solid.shape.centreHd + turnedBy(rotation, body.positionsHd[i] * solid.shape.semiAxesM),
+                             turnedBy(rotation, normal / std::sqrt(glm::dot(normal, normal))), sim::SkinMarks{});
             if (solid.texture)
                 vertex.uv = body.uvs[i];
             return vertex;
