@@ -292,6 +292,7 @@ private Q_SLOTS:
         const model::Result<model::Preset> style = model::loadPreset(model::listPresets({}).at(1).path);
         QVERIFY(style && !bald.isNull());
         session().document().push(model::applyPresetCommand(session().document(), *style));
+        awaitNewestHair(); // The picture is of what the 3D area shows.
         QVERIFY(difference(bald, saved("picture-styled.hairpaint")) > 0.05);
     }
 
