@@ -2,6 +2,7 @@
 #include "model/files/part_selection.h"
 
 #include "model/heads/layout_packing.h"
+#include "model/heads/own_layout.h"
 #include "model/heads/part_choice.h"
 
 #include <algorithm>

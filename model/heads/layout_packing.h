@@ -30,8 +30,4 @@ struct LayoutOverlap
 /// What is told of: less is where seams meet.
 inline constexpr double kNotableOverlap = 0.02;
 
-/// Another layout: the mesh cut into charts that look about one way along an axis, laid flat side by side at one scale.
-/// No two points share a texel but where a chart folds. Of a mesh without parts.
-[[nodiscard]] RiggedMesh withOwnLayout(const RiggedMesh& source);
-
 } // namespace hairpaint::model

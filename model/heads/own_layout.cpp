@@ -1,5 +1,5 @@
 // Charts by the six directions of the axes, on shelves.
-#include "model/heads/layout_packing.h"
+#include "model/heads/own_layout.h"
 
 #include "sim/skin/vertex_weld.h"
 

@@ -47,7 +47,9 @@ enum LaneField : std::uint8_t
 
 /// A braid reaches its girth over half a turn from its root: by this fraction of the length along it.
 inline constexpr float kGirthSlope = 0.4F;
-inline constexpr float kLoftM = 0.12F; ///< Along a hair: over so much of it the coat carries itself.
+inline constexpr float kLoftM = 0.12F; ///< Along a hair: over so much of it the coat carries itself,
+/// against so much, m a step: three tenths of its weight, as much as presses on a lying coat; wind has more.
+inline constexpr float kLoftYieldM = 0.3F * 9.81F / (120.0F * 120.0F);
 inline constexpr float kUnwanted = 1e30F;
 inline constexpr float kStillSteps = 60.0F; ///< A strand that lay still for so long falls asleep.
 inline constexpr float kStillM = 2e-4F;     ///< What counts as lying still: middle and tip move no farther than this.

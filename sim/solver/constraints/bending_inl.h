@@ -38,8 +38,7 @@ public:
         const Lanes second = m_bend * m_secondPivot;
         m_beside = m_bend * (i == 1 ? 0.0F : i == m_last ? -2.0F : -4.0F) - second * m_beside;
         const Lanes first = m_beside * m_pivot;
-        const Lanes near = most(1.0F - m_perLoft * static_cast<float>(i), 0.0F);
-        const Lanes held = m_held + m_loft * near * near;
+        const Lanes held = m_held + loftAt(i, free);
         const Lanes whole = mass * held + m_bend * diagonal - first * m_beside - second * m_bend;
         m_secondPivot = m_pivot;
         m_pivot = Lanes(1.0F) / select(whole > 0.0F, whole, 1.0F);
@@ -73,6 +72,14 @@ public:
     }
 
 private:
+    /// Of the spring that carries the coat. It yields to more than kLoftYieldM of a step: wind bends hair at its roots.
+    [[nodiscard]] HWY_INLINE Lanes loftAt(int i, const Lanes3& free) const
+    {
+        const Lanes near = most(1.0F - m_perLoft * static_cast<float>(i), 0.0F);
+        const Lanes beyond = most(root(dot(free, free)) - kLoftYieldM, 1e-9F);
+        return least(m_loft * near * near, Lanes(kLoftYieldM) / beyond);
+    }
+
     float* HWY_RESTRICT m_rows;
     int m_last;
     Lanes m_bend, m_held;
