@@ -289,7 +289,7 @@ private Q_SLOTS:
             return written && archive ? model::readThumbnail(*archive) : QImage();
         };
         const QImage bald = saved("picture-bald.hairpaint");
-        const model::Result<model::Preset> style = model::loadPreset(model::listPresets({}).at(1).path);
+        const model::Result<model::Preset> style = model::loadPreset(model::listPresets({}).front().path);
         QVERIFY(style && !bald.isNull());
         session().document().push(model::applyPresetCommand(session().document(), *style));
         awaitNewestHair(); // The picture is of what the 3D area shows.
