@@ -15,8 +15,8 @@ constexpr std::array<Recording::Seen, 28> kAroundHairline{
     {{4.0F, 0.067F},    {12.0F, 0.067F},   {24.0F, 0.069F},   {34.0F, 0.068F},   {41.0F, 0.060F},   {45.0F, 0.048F},
      {47.0F, 0.036F},   {52.0F, 0.024F},   {59.0F, 0.012F},   {64.0F, 0.000F},   {65.0F, -0.014F},  {70.0F, -0.022F},
      {76.0F, -0.015F},  {77.0F, 0.000F},   {80.0F, 0.012F},   {88.0F, 0.019F},   {97.0F, 0.016F},   {103.0F, 0.003F},
-     {106.0F, -0.018F}, {114.0F, -0.043F}, {136.0F, -0.070F}, {160.0F, -0.080F}, {176.0F, -0.080F}, {176.5F, -0.045F},
-     {177.0F, -0.02F},  {177.2F, 0.01F},   {177.2F, 0.04F},   {177.2F, 0.06F}}};
+     {106.0F, -0.018F}, {114.0F, -0.043F}, {136.0F, -0.070F}, {160.0F, -0.080F}, {178.4F, -0.080F}, {178.4F, -0.045F},
+     {178.5F, -0.02F},  {178.5F, 0.01F},   {178.5F, 0.04F},   {178.5F, 0.06F}}};
 
 constexpr std::array<Recording::Seen, 8> kDownTheBack{{{180.0F, 0.05F},
                                                        {180.0F, 0.03F},
@@ -99,14 +99,14 @@ Style twoPlaits()
                     user.fill(MapKind::Colour, colour(0xFF6A4C2E));
                     user.fill(MapKind::Length, user.length(0.28F));
                     // A side is a region; the parting between them stays free.
-                    Recording::Points side = user.overHead(0.0045F, -0.085F, 0.06F);
+                    Recording::Points side = user.overHead(0.0022F, -0.085F, 0.06F);
                     for (const sim::SurfacePoint& point : user.along(kAroundHairline))
                         side.push_back(point);
                     user.polygon(MapKind::Braid, braid(kPlait), side);
                     Recording::Points middle = user.overHead(0.0F, 0.085F, -0.085F);
                     for (const sim::SurfacePoint& point : user.along(kDownTheBack))
                         middle.push_back(point);
-                    user.erase(MapKind::Density, {.sizeM = 0.0128F, .hardness = 0.95F}, middle);
+                    user.erase(MapKind::Density, {.sizeM = 0.0058F, .hardness = 0.9F}, middle);
                 }};
     style.settings.braidSpacingM = 0.6F;
     style.settings.braidRadiusM = 0.0105F;
