@@ -76,6 +76,16 @@ float deepestM(const Simulation& simulation, float& alongM)
     return tied::kBallM - least;
 }
 
+/// Of a straight braid, each as so many segments.
+std::vector<std::vector<glm::vec3>> wispsOf(BraidKind kind, int segments)
+{
+    std::vector<std::vector<glm::vec3>> wisps(static_cast<std::size_t>(lacingOf(kind).wisps));
+    for (std::size_t wisp = 0; wisp < wisps.size(); ++wisp)
+        evaluateStrand(straight(), {1.0F, 0.0F, 0.0F}, lacedStyle(kind, static_cast<std::uint32_t>(wisp)), segments,
+                       wisps[wisp]);
+    return wisps;
+}
+
 } // namespace
 
 class TestLacedBraids : public QObject
@@ -109,12 +119,7 @@ void TestLacedBraids::wispsTouchAndAreNotInEachOther()
     QFETCH(int, kind);
     QFETCH(float, furthest);
     constexpr int kSegments = 900;
-    const BraidLacing lacing = lacingOf(static_cast<BraidKind>(kind));
-    std::vector<std::vector<glm::vec3>> wisps(static_cast<std::size_t>(lacing.wisps));
-    for (std::size_t wisp = 0; wisp < wisps.size(); ++wisp)
-        evaluateStrand(straight(), {1.0F, 0.0F, 0.0F},
-                       lacedStyle(static_cast<BraidKind>(kind), static_cast<std::uint32_t>(wisp)), kSegments,
-                       wisps[wisp]);
+    const std::vector<std::vector<glm::vec3>> wisps = wispsOf(static_cast<BraidKind>(kind), kSegments);
     float low = 9.0F;
     float high = 0.0F;
     float sum = 0.0F;
@@ -125,7 +130,7 @@ void TestLacedBraids::wispsTouchAndAreNotInEachOther()
         for (std::size_t wisp = 1; wisp < wisps.size(); ++wisp)
             for (std::size_t j = i - 150; j < i + 150; ++j)
                 nearest = std::min(nearest, glm::length(wisps[wisp][j] - wisps[0][i]));
-        const float inRadii = nearest / (2.0F * lacing.wisp * kRadiusM);
+        const float inRadii = nearest / (2.0F * lacingOf(static_cast<BraidKind>(kind)).wisp * kRadiusM);
         low = std::min(low, inRadii);
         high = std::max(high, inRadii);
         sum += inRadii;
@@ -150,12 +155,7 @@ void TestLacedBraids::ofTwoWispsThatCrossOneIsAboveInTurn()
 {
     QFETCH(int, kind);
     constexpr int kSegments = 3000;
-    const BraidLacing lacing = lacingOf(static_cast<BraidKind>(kind));
-    std::vector<std::vector<glm::vec3>> wisps(static_cast<std::size_t>(lacing.wisps));
-    for (std::size_t wisp = 0; wisp < wisps.size(); ++wisp)
-        evaluateStrand(straight(), {1.0F, 0.0F, 0.0F},
-                       lacedStyle(static_cast<BraidKind>(kind), static_cast<std::uint32_t>(wisp)), kSegments,
-                       wisps[wisp]);
+    const std::vector<std::vector<glm::vec3>> wisps = wispsOf(static_cast<BraidKind>(kind), kSegments);
     // Those that the first wisp crosses on its way from one edge to the other: over one, under the next.
     std::vector<bool> over;
     bool inward = wisps[0][900].x > wisps[0][901].x;

@@ -133,6 +133,24 @@ private Q_SLOTS:
         QVERIFY2(std::abs(most - settings.mostShorterM) < 1e-5F, qPrintable(QString::number(most)));
     }
 
+    void lengthBeforeIsTheInverseOfLengthLeft()
+    {
+        const VariationSettings settings{.length = 0.2F, .mostShorterM = 0.015F, .patches = 0.5F};
+        for (std::uint32_t rank = 0; rank < 200; ++rank) {
+            const float own = variationOf(settings, kSeed, rank).length;
+            const glm::vec3 root(0.0F, 0.001F * static_cast<float>(rank), 0.1F);
+            for (const float leftM : {0.002F, 0.02F, 0.1F, 0.6F}) {
+                const float beforeM = lengthBefore(settings, own, leftM, root);
+                QVERIFY(beforeM >= leftM && std::isfinite(beforeM));
+                const float againM = beforeM * lengthLeft(settings, own, beforeM, root);
+                QVERIFY2(std::abs(againM - leftM) < 1e-4F * leftM + 1e-6F,
+                         qPrintable(QStringLiteral("%1 of %2").arg(againM).arg(leftM)));
+            }
+        }
+        QCOMPARE(lengthBefore({}, 1.0F, 0.1F, glm::vec3(0.0F)), 0.1F);
+        QVERIFY(std::isinf(lengthBefore({}, 0.0F, 0.1F, glm::vec3(0.0F))));
+    }
+
     void patchesAreSoftAndAsDeepAsIsSet()
     {
         QCOMPARE(densityLeft({}, glm::vec3(0.03F)), 1.0F);
