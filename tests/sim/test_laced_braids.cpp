@@ -35,9 +35,9 @@ StrandStyle lacedStyle(BraidKind kind, std::uint32_t wisp, const GroupSettings& 
 
 std::vector<glm::vec3> straight()
 {
-    std::vector<glm::vec3> nodes;
-    for (int i = 0; i < 16; ++i)
-        nodes.emplace_back(0.0F, kStraightM * static_cast<float>(i) / 15.0F, 0.0F);
+    std::vector<glm::vec3> nodes(16);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        nodes[i].y = kStraightM * static_cast<float>(i) / 15.0F;
     return nodes;
 }
 

@@ -55,7 +55,8 @@ public:
     {
         float deepest = 0.0F;
         for (std::size_t i = 0; i < m_cells.size(); ++i) {
-            const glm::vec2 cell(static_cast<float>(i % m_across), static_cast<float>(i / m_across));
+            const std::size_t row = i / m_across;
+            const glm::vec2 cell(static_cast<float>(i - row * m_across), static_cast<float>(row));
             if (wanted(glm::vec2(m_box.left, m_box.top) + (cell + 0.5F) * m_cellPx))
                 deepest = std::max(deepest, m_cells[i].back());
         }
