@@ -147,7 +147,8 @@ MeshPart packed(RiggedMesh& mesh, std::span<const MeshPart> grown)
     }
     const auto cells = static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(layouts.size()))));
     for (std::size_t i = 0; i < layouts.size(); ++i) {
-        const glm::vec2 cell(static_cast<float>(i % cells), static_cast<float>(i / cells));
+        const std::size_t row = i / cells;
+        const glm::vec2 cell(static_cast<float>(i - row * cells), static_cast<float>(row));
         for (const std::size_t part : layouts[i].parts)
             for (std::size_t v = 0; v < ranges[part].vertices; ++v) {
                 glm::vec2& uv = mesh.uvs[ranges[part].firstVertex + v];

@@ -200,8 +200,8 @@ void updateGathered(ProjectPatches::Group& group)
         auto& made = group.made[static_cast<std::size_t>(index)];
         const std::shared_ptr<const sim::PatchTile>& parts = group.labels.tilePointer(index);
         std::vector<std::uint16_t> numbers;
-        for (std::uint16_t part = 1; part <= parts->kinds.size(); ++part)
-            numbers.push_back(group.numbers[group.labels.patchOf(index, part)]);
+        for (std::size_t part = 1; part <= parts->kinds.size(); ++part)
+            numbers.push_back(group.numbers[group.labels.patchOf(index, static_cast<std::uint16_t>(part))]);
         if (made.first == parts && made.second == numbers)
             continue;
         const sim::RasterTilePtr tile = gatheredTile(*parts, numbers);

@@ -106,11 +106,12 @@ void FingerMaps::addTo(Scalar& scalar, const Dab& dab, const Dab& brush)
     const int tilesAcross = size / kTile;
     for (int y = edge(own.yTx - halfHeight); y < edge(std::ceil(own.yTx + halfHeight)); ++y)
         for (int x = edge(own.xTx - halfWidth); x < edge(std::ceil(own.xTx + halfWidth)); ++x) {
-            std::vector<std::uint16_t>& tile =
-                scalar.means[static_cast<std::size_t>(y / kTile * tilesAcross + x / kTile)];
+            const int tileIndex = y / kTile * tilesAcross + x / kTile;
+            std::vector<std::uint16_t>& tile = scalar.means[static_cast<std::size_t>(tileIndex)];
             if (tile.empty())
                 tile.assign(sim::kTileTexels, kUnknown);
-            std::uint16_t& mean = tile[static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
+            const int texel = y % kTile * kTile + x % kTile;
+            std::uint16_t& mean = tile[static_cast<std::size_t>(texel)];
             if (mean != kUnknown)
                 continue;
             const std::uint16_t found = unit16(evenedScalar(*scalar.before, *m_density, centreUv(x, y, size), reachUv));

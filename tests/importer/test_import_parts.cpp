@@ -38,9 +38,9 @@ QByteArray ballObject(const char* name, glm::vec3 centre, float radius, bool wit
     for (const glm::uvec3& t : ball.triangles) {
         text += "f";
         for (int corner = 0; corner < 3; ++corner) {
-            text += ' ' + QByteArray::number(static_cast<qulonglong>(t[corner] + vertices + 1));
+            text += ' ' + QByteArray::number(qulonglong{t[corner] + vertices + 1});
             if (withUvs)
-                text += '/' + QByteArray::number(static_cast<qulonglong>(t[corner] + uvs + 1));
+                text += '/' + QByteArray::number(qulonglong{t[corner] + uvs + 1});
         }
         text += "\n";
     }

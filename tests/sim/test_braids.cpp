@@ -1,6 +1,7 @@
 // Braids grow in connected regions, and their hairs gather at the middle.
 #include "sim/groom/braid_layout.h"
 #include "sim/groom/braid_path.h"
+#include "sim/groom/curve_constants.h"
 #include "tests/sim/groom_reading.h"
 #include "tests/sim/small_groom.h"
 #include "tests/support/test_program.h"

@@ -90,7 +90,7 @@ struct NearBlock
 {
     float depthM; ///< Before which nothing of it is drawn near the brush.
     std::uint32_t index;
-    friend auto operator<=>(const NearBlock&, const NearBlock&) = default;
+    friend auto operator<=>(const NearBlock&, const NearBlock&) = default; // NOLINT(modernize-use-nullptr)
 };
 
 /// Those nearest to the eye first.
