@@ -15,7 +15,6 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr auto kStep = static_cast<float>(kStepSeconds);
-constexpr float kGravity = 9.81F;
 constexpr float kStrongestWind = 60.0F;
 constexpr int kPuffSteps = 12;
 

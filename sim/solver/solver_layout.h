@@ -10,6 +10,7 @@
 namespace hairpaint::sim {
 
 inline constexpr double kStepSeconds = 1.0 / 120.0; ///< The solver's fixed step.
+inline constexpr float kGravity = 9.81F;            ///< m/s2.
 inline constexpr int kMaxPuffs = 4;
 
 /// Constants of a strand, one row of kLanes floats each; a row of squared scales for each collider follows.
@@ -49,7 +50,7 @@ enum LaneField : std::uint8_t
 inline constexpr float kGirthSlope = 0.4F;
 inline constexpr float kLoftM = 0.12F; ///< Along a hair: over so much of it the coat carries itself,
 /// against so much, m a step: three tenths of its weight, as much as presses on a lying coat; wind has more.
-inline constexpr float kLoftYieldM = 0.3F * 9.81F / (120.0F * 120.0F);
+inline constexpr float kLoftYieldM = 0.3F * kGravity * static_cast<float>(kStepSeconds * kStepSeconds);
 inline constexpr float kUnwanted = 1e30F;
 inline constexpr float kStillSteps = 60.0F; ///< A strand that lay still for so long falls asleep.
 inline constexpr float kStillM = 2e-4F;     ///< What counts as lying still: middle and tip move no farther than this.

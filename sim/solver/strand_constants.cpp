@@ -17,7 +17,6 @@ constexpr auto kStep = static_cast<float>(kStepSeconds);
 constexpr float kWindRate = 1.0F; ///< 1/s: how fast a lock takes over the air's motion across it.
 /// From here on the shape is held rather than leant to, and its other nodes may lie on the ellipsoids.
 constexpr float kHeldShape = 0.02F;
-constexpr float kGravity = 9.81F;
 constexpr float kRootDamping = 0.3F; ///< Of a step: what the hair around it takes from a hair's motion at its root.
 
 /// A gain of a step of 1/60 s, for kStepSeconds: half as long, so 1 - sqrt(1 - k).

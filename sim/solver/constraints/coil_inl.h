@@ -32,7 +32,7 @@ HWY_INLINE void swingCoil(int nodes, Yes which, Lanes pull, float* HWY_RESTRICT 
     const Yes gives = which & (give > 0.0F);
     if (!any(gives))
         return;
-    const float weight = (static_cast<float>(nodes) - 1.5F) * 9.81F * kStep * kStep;
+    const float weight = (static_cast<float>(nodes) - 1.5F) * kGravity * kStep * kStep;
     const Lanes load = clamped(pull * (-1.0F / weight), -4.0F, 6.0F);
     const Lanes known = loaded(lanes + kLoad * kLanes);
     const Lanes late = select(known < kUnwanted, known, load);
