@@ -80,6 +80,7 @@ constexpr ToolTraits kComb{
         [](const ToolSettings& settings) {
             return settings.comb == CombKind::Hold ? std::optional(MapKind::Gel) : std::nullopt;
         },
+    .demo = &kCombDemo,
     .worksOnHair =
         [](const ToolSettings& settings) {
             return settings.comb != CombKind::Hold && settings.comb != CombKind::Whorl;

@@ -57,6 +57,7 @@ constexpr ToolTraits kFingers{
         }
         return std::nullopt;
     },
+    .demo = &kFingersDemo,
     .worksOnHair = [](const ToolSettings&) { return true; }};
 
 class FingersTool : public Tool

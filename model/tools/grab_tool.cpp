@@ -67,9 +67,11 @@ constexpr ToolTraits kGrab{
     .hasRing = true,
     .map = MapKind::Direction,
     .paintsWithCtrl = MapKind::Length,
-    .alsoPaints = [](const ToolSettings& settings) {
-        return settings.grabGel > 0.0F ? std::optional(MapKind::Gel) : std::nullopt;
-    }};
+    .alsoPaints =
+        [](const ToolSettings& settings) {
+            return settings.grabGel > 0.0F ? std::optional(MapKind::Gel) : std::nullopt;
+        },
+    .demo = &kGrabDemo};
 
 class GrabTool : public Tool, private HairHandler
 {

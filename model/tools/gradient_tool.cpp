@@ -67,7 +67,8 @@ constexpr ToolTraits kGradient{
     .purpose = QT_TRANSLATE_NOOP("Tool", "Paints from the first value to the second, along a line or around a point."),
     .hint = QT_TRANSLATE_NOOP("Tool", "Drag from the first value to the second; Shift keeps to steps of 45 degrees"),
     .key = Qt::Key_G,
-    .options = kGradientOptions};
+    .options = kGradientOptions,
+    .demo = &kGradientDemo};
 
 class GradientTool : public Tool
 {

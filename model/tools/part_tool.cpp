@@ -54,9 +54,11 @@ constexpr ToolTraits kPart{.id = ToolId::Part,
                            .key = Qt::Key_P,
                            .options = kPartOptions,
                            .map = MapKind::Direction,
-                           .alsoPaints = [](const ToolSettings& settings) {
-                               return settings.partGapM > 0.0F ? std::optional(MapKind::Density) : std::nullopt;
-                           }};
+                           .alsoPaints =
+                               [](const ToolSettings& settings) {
+                                   return settings.partGapM > 0.0F ? std::optional(MapKind::Density) : std::nullopt;
+                               },
+                           .demo = &kPartDemo};
 
 /// Points are added at the curve's end, or where the curve is pressed; they can be dragged as long as it is not kept.
 /// Partings ignore mirror painting: one in the middle would be parted twice.

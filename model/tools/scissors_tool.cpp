@@ -64,7 +64,8 @@ constexpr ToolTraits kScissors{
         QT_TRANSLATE_NOOP("Tool", "Drag a line over the hair in the 3D area; Shift keeps it level, upright or aslant"),
     .key = Qt::Key_K,
     .options = kScissorsOptions,
-    .map = MapKind::Length};
+    .map = MapKind::Length,
+    .demo = &kScissorsDemo};
 
 /// The end of a line of 0, 45 or 90 degrees, as near as can be.
 QPointF constrained(QPointF from, QPointF to)

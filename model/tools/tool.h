@@ -2,6 +2,8 @@
 #pragma once
 
 #include "model/document/document.h"
+#include "model/tools/demo_strokes.h"
+#include "model/tools/tool_id.h"
 #include "model/tools/tool_options.h"
 #include "sim/motion/strand_frame.h"
 #include "sim/skin/skin.h"
@@ -98,21 +100,6 @@ struct OverlayShape
     QPolygonF uvHandles = {}; ///< Points that can be taken hold of, or taken back: drawn as small squares.
 };
 
-enum class ToolId : std::uint8_t
-{
-    Brush,
-    Eraser,
-    Comb,
-    Part,
-    Grab,
-    Fingers,
-    Scissors,
-    Gradient,
-    Fill,
-    Shape,
-    Select,
-    Picker
-};
 class Selection;
 class SeenHair;
 struct CutPiece;
@@ -152,6 +139,7 @@ struct ToolTraits
     std::optional<MapKind> paintsWithCtrl = {};
     /// Another map that it changes too, as it is set: a layer of it must be there to be painted on. Null: none ever.
     std::optional<MapKind> (*alsoPaints)(const ToolSettings& settings) = nullptr;
+    const DemoStroke* demo = nullptr; ///< Null: what it does shows at the first try.
     /// Whether it works on strands, too, where they are seen in the 3D area. Null: never.
     bool (*worksOnHair)(const ToolSettings& settings) = nullptr;
 };

@@ -26,18 +26,9 @@ std::vector<CutPiece> Tool::takeCutOff()
 std::vector<std::unique_ptr<Tool>> makeTools()
 {
     std::vector<std::unique_ptr<Tool>> tools;
-    tools.push_back(makeBrushTool());
-    tools.push_back(makeEraserTool());
-    tools.push_back(makeCombTool());
-    tools.push_back(makePartTool());
-    tools.push_back(makeGrabTool());
-    tools.push_back(makeFingersTool());
-    tools.push_back(makeScissorsTool());
-    tools.push_back(makeGradientTool());
-    tools.push_back(makeFillTool());
-    tools.push_back(makeShapeTool());
-    tools.push_back(makeSelectTool());
-    tools.push_back(makePickerTool());
+#define HAIRPAINT_ADD_TOOL(name) tools.push_back(make##name##Tool());
+    HAIRPAINT_TOOLS(HAIRPAINT_ADD_TOOL)
+#undef HAIRPAINT_ADD_TOOL
     return tools;
 }
 

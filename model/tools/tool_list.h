@@ -8,20 +8,11 @@
 
 namespace hairpaint::model {
 
-[[nodiscard]] std::unique_ptr<Tool> makeBrushTool();
-[[nodiscard]] std::unique_ptr<Tool> makeEraserTool();
-[[nodiscard]] std::unique_ptr<Tool> makeCombTool();
-[[nodiscard]] std::unique_ptr<Tool> makePartTool();
-[[nodiscard]] std::unique_ptr<Tool> makeGrabTool();
-[[nodiscard]] std::unique_ptr<Tool> makeFingersTool();
-[[nodiscard]] std::unique_ptr<Tool> makeScissorsTool();
-[[nodiscard]] std::unique_ptr<Tool> makeGradientTool();
-[[nodiscard]] std::unique_ptr<Tool> makeFillTool();
-[[nodiscard]] std::unique_ptr<Tool> makeShapeTool();
-[[nodiscard]] std::unique_ptr<Tool> makeSelectTool();
-[[nodiscard]] std::unique_ptr<Tool> makePickerTool();
+#define HAIRPAINT_TOOL_MAKER(name) [[nodiscard]] std::unique_ptr<Tool> make##name##Tool();
+HAIRPAINT_TOOLS(HAIRPAINT_TOOL_MAKER)
+#undef HAIRPAINT_TOOL_MAKER
 
-/// Every tool, in tool-bar order. Another tool is a file with its class, and a line here and there.
+/// Every tool, in tool-bar order.
 [[nodiscard]] std::vector<std::unique_ptr<Tool>> makeTools();
 
 } // namespace hairpaint::model

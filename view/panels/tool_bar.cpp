@@ -70,7 +70,7 @@ ToolBar::ToolBar(EditorState& state, QWidget* parent) : QWidget(parent), m_state
         button->setIcon(icon(QLatin1String(tool->name())));
         describe(*button, tool->title(), tool->traits().key, {tool->purpose(), tool->hint()});
         connect(button, &QToolButton::clicked, this, [this, id = tool->id()] { m_state.tools().choose(id); });
-        hint->watch(*button, tool->id());
+        hint->watch(*button, tool->traits().demo);
         group->addButton(button);
         m_buttons.push_back(button);
     }

@@ -13,12 +13,6 @@
 
 namespace hairpaint::view {
 
-namespace {
-
-constexpr const char* kTool = "hintedTool";
-
-} // namespace
-
 ToolHint::ToolHint(QWidget* parent) : QFrame(parent, Qt::ToolTip), m_words(new QLabel(this)), m_demo(new ToolDemo(this))
 {
     setObjectName(QStringLiteral("popup"));
@@ -36,9 +30,9 @@ ToolHint::ToolHint(QWidget* parent) : QFrame(parent, Qt::ToolTip), m_words(new Q
     hide();
 }
 
-void ToolHint::watch(QToolButton& button, model::ToolId tool)
+void ToolHint::watch(QToolButton& button, const model::DemoStroke* demo)
 {
-    button.setProperty(kTool, static_cast<int>(tool));
+    m_demos.insert(&button, demo);
     button.installEventFilter(this);
 }
 
@@ -66,10 +60,11 @@ bool ToolHint::eventFilter(QObject* watched, QEvent* event)
 
 void ToolHint::showFor(const QToolButton& button)
 {
-    const auto tool = static_cast<model::ToolId>(button.property(kTool).toInt());
+    const model::DemoStroke* demo = m_demos.value(&button);
     m_words->setText(button.toolTip());
-    m_demo->setVisible(ToolDemo::shows(tool));
-    m_demo->setTool(tool);
+    m_demo->setVisible(demo != nullptr);
+    if (demo != nullptr)
+        m_demo->setStroke(*demo);
     adjustSize();
     QPoint at = button.mapToGlobal(QPoint(button.width() + metrics::kGap, 0));
     if (const QScreen* screen = button.screen()) {

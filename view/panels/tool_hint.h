@@ -4,6 +4,7 @@
 #include "view/widgets/tool_demo.h"
 
 #include <QFrame>
+#include <QHash>
 
 class QLabel;
 class QToolButton;
@@ -16,7 +17,8 @@ class ToolHint : public QFrame
     Q_OBJECT
 public:
     explicit ToolHint(QWidget* parent);
-    void watch(QToolButton& button, model::ToolId tool);
+    /// `demo` is shown below the words; null where words are enough. It outlives this.
+    void watch(QToolButton& button, const model::DemoStroke* demo);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -26,6 +28,7 @@ private:
 
     QLabel* m_words;
     ToolDemo* m_demo;
+    QHash<const QObject*, const model::DemoStroke*> m_demos; ///< Of each button.
 };
 
 } // namespace hairpaint::view

@@ -1,7 +1,7 @@
 // A small moving picture of what a tool does to hair, for those tools that words do not explain.
 #pragma once
 
-#include "model/tools/tool.h"
+#include "model/tools/demo_strokes.h"
 
 #include <QVariantAnimation>
 #include <QWidget>
@@ -15,9 +15,8 @@ class ToolDemo : public QWidget
 public:
     explicit ToolDemo(QWidget* parent = nullptr);
 
-    /// Whether there is one of that tool.
-    [[nodiscard]] static bool shows(model::ToolId tool);
-    void setTool(model::ToolId tool);
+    /// `stroke` outlives the widget.
+    void setStroke(const model::DemoStroke& stroke);
     [[nodiscard]] QSize sizeHint() const override { return {240, 72}; }
 
 protected:
@@ -26,7 +25,7 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    model::ToolId m_tool = model::ToolId::Comb;
+    const model::DemoStroke* m_stroke = nullptr;
     QVariantAnimation m_play{this}; ///< 0 to 1: the stroke, and a rest at its end.
 };
 
