@@ -91,7 +91,7 @@ model::Result<std::vector<MapArgument>> mapsOfFolder(const model::Project& proje
     return maps;
 }
 
-model::Result<void> importMap(model::Project& project, const MapArgument& argument)
+model::Result<void> importMap(model::Project& project, model::ImporterClient& client, const MapArgument& argument)
 {
     model::HairGroup* group = findGroup(project, argument.group);
     if (group == nullptr)
@@ -99,8 +99,8 @@ model::Result<void> importMap(model::Project& project, const MapArgument& argume
             CommandLine::tr("'%1' goes to the hair group '%2', and the project has none of that name; "
                             "name one that it has.")
                 .arg(argument.image, argument.group));
-    model::Result<model::ImageLayer> image =
-        model::layerFromFile(argument.image, *argument.spec, argument.grey ? std::optional(true) : std::nullopt, 0);
+    model::Result<model::ImageLayer> image = model::layerFromFile(
+        client, argument.image, *argument.spec, argument.grey ? std::optional(true) : std::nullopt, 0);
     if (!image)
         return tl::unexpected(image.error());
     model::MapStack& stack = group->map(argument.spec->kind);
@@ -206,8 +206,9 @@ ExitCode runNew(const QStringList& arguments)
             return failed(found.error());
         maps.insert(maps.begin(), found->begin(), found->end()); // Those named one by one count more.
     }
+    model::ImporterClient client;
     for (const MapArgument& map : maps) {
-        if (const model::Result<void> imported = importMap(project, map); !imported)
+        if (const model::Result<void> imported = importMap(project, client, map); !imported)
             return failed(imported.error());
         // Before the next is read, and long before they are encoded.
         if (model::excessOf(project.groups) != model::ContentExcess::None)

@@ -78,7 +78,8 @@ struct ReadImage
 
 model::Result<ReadImage> readFor(const QString& path, const model::MapSpec& spec, const model::Progress& progress)
 {
-    model::Result<model::ForeignImage> image = model::imageForMap(path, spec, progress);
+    model::ImporterClient client;
+    model::Result<model::ForeignImage> image = model::imageForMap(client, path, spec, progress);
     if (!image)
         return tl::unexpected(image.error());
     ReadImage read{.image = std::move(*image), .preview = {}};

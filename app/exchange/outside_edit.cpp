@@ -105,7 +105,8 @@ void OutsideEdit::takeBack(const QString& path, model::LayerAddress layer)
     const int size = current()->raster.size();
     std::optional<model::ImageLayer> read =
         m_files.read<model::ImageLayer>(path, [path, layer, size](const model::Progress& progress) {
-            return model::layerFromFile(path, model::mapSpec(layer.map), false, size, progress);
+            model::ImporterClient client;
+            return model::layerFromFile(client, path, model::mapSpec(layer.map), false, size, progress);
         });
     if (!read)
         return;

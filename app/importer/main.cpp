@@ -1,7 +1,8 @@
-// hairpaint-import: decodes and encodes foreign images and meshes for Hair Paint, one request a run, over standard
-// input and output (see "Wire format" in model/files/hairpaint_format.md). Exit code 0 where an answer was written.
+// hairpaint-import: decodes and encodes foreign images and meshes for Hair Paint, over standard input and output (see
+// "Wire format" in model/files/hairpaint_format.md). Exit code 0 where each request was answered.
 #include "app/importer/image_io.h"
 #include "app/importer/mesh_import.h"
+#include "app/importer/request_service.h"
 #include "app/importer/resource_limits.h"
 #include "app/importer/sandbox.h"
 
@@ -110,7 +111,7 @@ bool send(std::FILE* channel, const wire::Bytes& message)
            std::fflush(channel) == 0;
 }
 
-int run(std::FILE* channel)
+int serve(std::FILE* channel)
 {
     try {
         std::optional<Request> request = receive();
@@ -132,7 +133,8 @@ int main()
     crashQuietly();
     importer::closeInherited();
     importer::limitResources();
-    const int code = run(takeWire());
+    std::FILE* const channel = takeWire();
+    const int code = importer::serveEach([channel] { return serve(channel); });
     // Decoders' own clean-up at exit has nothing left to say.
     std::_Exit(code);
 }

@@ -84,6 +84,7 @@ Result<void> writeMapImages(std::span<const WantedMap> maps, const QString& fold
     StagedFiles staged(folder);
     if (Result<void> ready = staged.check(paths.front()); !ready)
         return ready;
+    ImporterClient client;
     for (std::size_t i = 0; i < maps.size(); ++i) {
         const QString& target = paths[static_cast<qsizetype>(i)];
         const auto part = [&](double done) {
@@ -92,8 +93,8 @@ Result<void> writeMapImages(std::span<const WantedMap> maps, const QString& fold
         if (!part(0.0))
             return cancelled(target);
         const Result<void> written = withinMemory(target, cannotWrite, [&] {
-            return ImporterClient().writeImage(imageFromMap(*maps[i].resolved, mapSpec(maps[i].kind), options.grey),
-                                               staged.pathFor(target), options.bits, part);
+            return client.writeImage(imageFromMap(*maps[i].resolved, mapSpec(maps[i].kind), options.grey),
+                                     staged.pathFor(target), options.bits, part);
         });
         if (!written)
             return tl::unexpected(staged.named(written.error(), target));

@@ -1,5 +1,5 @@
-// What bounds one run of hairpaint-import from outside, and ends it with all that it started: a process group with
-// resource limits on Unix, a job object on Windows.
+// What bounds one run of hairpaint-import from outside, and ends it with all that it started: a process group on Unix,
+// of processes with resource limits each, a job object on Windows.
 #pragma once
 
 #include <memory>

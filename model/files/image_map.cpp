@@ -92,17 +92,17 @@ Result<sim::TiledRaster> layerFromImage(const ForeignImage& image, const MapSpec
     return resampleBilinear(image.width, image.height, readRow, target, spec.layerChannels(), spec.defaultValue);
 }
 
-Result<ForeignImage> imageForMap(const QString& path, const MapSpec& spec, const Progress& progress)
+Result<ForeignImage> imageForMap(ImporterClient& client, const QString& path, const MapSpec& spec,
+                                 const Progress& progress)
 {
-    const ImporterClient client;
     return spec.texel == TexelKind::Colour ? client.readColours(path, progress) : client.readImage(path, progress);
 }
 
-Result<ImageLayer> layerFromFile(const QString& path, const MapSpec& spec, std::optional<bool> grey, int size,
-                                 const Progress& progress)
+Result<ImageLayer> layerFromFile(ImporterClient& client, const QString& path, const MapSpec& spec,
+                                 std::optional<bool> grey, int size, const Progress& progress)
 {
     return withinMemory(path, cannotOpen, [&]() -> Result<ImageLayer> {
-        const Result<ForeignImage> image = imageForMap(path, spec, progress);
+        const Result<ForeignImage> image = imageForMap(client, path, spec, progress);
         if (!image)
             return tl::unexpected(image.error());
         const bool isGrey = grey.value_or(readingOf(image->pixels, image->channels, spec) == ImageReading::Value);

@@ -24,11 +24,12 @@ struct ImageLayer
 };
 
 /// An image of any format that the helper program reads, for a map: colours as sRGB, all others as they are stored.
-[[nodiscard]] Result<ForeignImage> imageForMap(const QString& path, const MapSpec& spec, const Progress& progress = {});
+[[nodiscard]] Result<ForeignImage> imageForMap(ImporterClient& client, const QString& path, const MapSpec& spec,
+                                               const Progress& progress = {});
 /// The same as a layer. `grey`: none leaves it to what its pixels tell (image_reading.h), and to the map's scale where
 /// they tell both.
-[[nodiscard]] Result<ImageLayer> layerFromFile(const QString& path, const MapSpec& spec, std::optional<bool> grey,
-                                               int size, const Progress& progress = {});
+[[nodiscard]] Result<ImageLayer> layerFromFile(ImporterClient& client, const QString& path, const MapSpec& spec,
+                                               std::optional<bool> grey, int size, const Progress& progress = {});
 
 /// A resolved map as an image in its scale, white to colour as in the paper; `grey`: of one channel, the value, where
 /// a grey can tell it.

@@ -108,14 +108,14 @@ QString reasonText(const wire::Refusal& refusal)
     return {};
 }
 
-/// Runs the helper and returns the body of the wanted answer; everything else as a sentence.
-Result<wire::Bytes> ask(const QString& helper, int timeoutMs, const wire::Bytes& request, wire::Kind wanted,
-                        const QString& path, const Progress& progress, Phrase phrase)
+/// Asks the helper and returns the body of the wanted answer; everything else as a sentence.
+Result<wire::Bytes> ask(HelperRun& helper, const wire::Bytes& request, wire::Kind wanted, const QString& path,
+                        const Progress& progress, Phrase phrase)
 {
     const auto refused = [&](const QString& text) {
         return phrase(path, Clause{.text = text, .cure = Clause::Cure::OtherFile});
     };
-    tl::expected<HelperAnswer, HelperFailure> answer = runHelper(helper, request, timeoutMs, progress);
+    tl::expected<HelperAnswer, HelperFailure> answer = helper.ask(request, progress);
     if (!answer) {
         if (answer.error() == HelperFailure::Cancelled)
             return cancelled(path);
@@ -148,35 +148,37 @@ int ImporterClient::usualTimeoutMs()
     return fromEnvironment > 0 ? fromEnvironment : kUsualMs;
 }
 
-ImporterClient::ImporterClient(QString helperPath, int timeoutMs)
-    : m_helperPath(helperPath.isEmpty() ? findHelper() : std::move(helperPath)), m_timeoutMs(timeoutMs)
+ImporterClient::ImporterClient(const QString& helperPath, int timeoutMs)
+    : m_helper(std::make_unique<HelperRun>(helperPath.isEmpty() ? findHelper() : helperPath, timeoutMs))
 {}
 
-Result<ForeignImage> ImporterClient::readImage(const QString& path, const Progress& progress) const
+ImporterClient::~ImporterClient() = default;
+
+Result<ForeignImage> ImporterClient::readImage(const QString& path, const Progress& progress)
 {
     return withinMemory(path, cannotOpen, [&] { return decodeImage(path, false, progress); });
 }
 
-Result<ForeignImage> ImporterClient::readColours(const QString& path, const Progress& progress) const
+Result<ForeignImage> ImporterClient::readColours(const QString& path, const Progress& progress)
 {
     return withinMemory(path, cannotOpen, [&] { return decodeImage(path, true, progress); });
 }
 
-Result<RiggedMesh> ImporterClient::readMesh(const QString& path, const Progress& progress) const
+Result<RiggedMesh> ImporterClient::readMesh(const QString& path, const Progress& progress)
 {
     return withinMemory(path, cannotOpen, [&] { return decodeMesh(path, progress); });
 }
 
 Result<void> ImporterClient::writeImage(const ForeignImage& image, const QString& path, int bits,
-                                        const Progress& progress) const
+                                        const Progress& progress)
 {
     return withinMemory(path, cannotWrite, [&] { return encodeImage(image, path, bits, progress); });
 }
 
-std::optional<HelperSandbox> ImporterClient::sandbox() const
+std::optional<HelperSandbox> ImporterClient::sandbox()
 {
     const wire::Bytes request = wire::encodeText(wire::Kind::TellSandbox, ".");
-    const tl::expected<HelperAnswer, HelperFailure> answer = runHelper(m_helperPath, request, m_timeoutMs, {});
+    const tl::expected<HelperAnswer, HelperFailure> answer = m_helper->ask(request, {});
     if (!answer || answer->kind != wire::Kind::Sandbox)
         return std::nullopt;
     const std::optional<wire::Sandbox> told = wire::decodeSandbox(answer->body);
@@ -187,12 +189,12 @@ std::optional<HelperSandbox> ImporterClient::sandbox() const
                          .mostMegabytes = static_cast<int>(told->mostMegabytes)};
 }
 
-Result<ForeignImage> ImporterClient::decodeImage(const QString& path, bool areColours, const Progress& progress) const
+Result<ForeignImage> ImporterClient::decodeImage(const QString& path, bool areColours, const Progress& progress)
 {
     if (Result<void> readable = checkReadable(path, kMostForeignBytes); !readable)
         return tl::unexpected(readable.error());
     Result<wire::Bytes> body =
-        ask(m_helperPath, m_timeoutMs, readRequest(areColours ? wire::Kind::ReadColours : wire::Kind::ReadImage, path),
+        ask(*m_helper, readRequest(areColours ? wire::Kind::ReadColours : wire::Kind::ReadImage, path),
             wire::Kind::Image, path, progress, cannotOpen);
     if (!body)
         return tl::unexpected(body.error());
@@ -206,12 +208,12 @@ Result<ForeignImage> ImporterClient::decodeImage(const QString& path, bool areCo
                         .areColours = areColours};
 }
 
-Result<RiggedMesh> ImporterClient::decodeMesh(const QString& path, const Progress& progress) const
+Result<RiggedMesh> ImporterClient::decodeMesh(const QString& path, const Progress& progress)
 {
     if (Result<void> readable = checkReadable(path, kMostForeignBytes); !readable)
         return tl::unexpected(readable.error());
-    Result<wire::Bytes> body = ask(m_helperPath, m_timeoutMs, readRequest(wire::Kind::ReadMesh, path), wire::Kind::Mesh,
-                                   path, progress, cannotOpen);
+    Result<wire::Bytes> body =
+        ask(*m_helper, readRequest(wire::Kind::ReadMesh, path), wire::Kind::Mesh, path, progress, cannotOpen);
     if (!body)
         return tl::unexpected(body.error());
     std::optional<RiggedMesh> mesh = wire::decodeMesh(*body);
@@ -221,7 +223,7 @@ Result<RiggedMesh> ImporterClient::decodeMesh(const QString& path, const Progres
 }
 
 Result<void> ImporterClient::encodeImage(const ForeignImage& image, const QString& path, int bits,
-                                         const Progress& progress) const
+                                         const Progress& progress)
 {
     wire::EncodeRequest request{.bits = bits <= 8 ? 8U : 16U,
                                 .ending = QFileInfo(path).suffix().toLower().toStdString(),
@@ -236,10 +238,9 @@ Result<void> ImporterClient::encodeImage(const ForeignImage& image, const QStrin
         return refused(wire::Reason::TooLarge);
     if (const Checked<void> writable = checkWritable(path); !writable)
         return cannotWrite(path, writable.error());
-    Result<wire::Bytes> body =
-        ask(m_helperPath, m_timeoutMs,
-            wire::encodeRequest(request, image.areColours ? wire::Kind::EncodeColours : wire::Kind::EncodeImage),
-            wire::Kind::Encoded, path, progress, cannotWrite);
+    Result<wire::Bytes> body = ask(
+        *m_helper, wire::encodeRequest(request, image.areColours ? wire::Kind::EncodeColours : wire::Kind::EncodeImage),
+        wire::Kind::Encoded, path, progress, cannotWrite);
     if (!body)
         return tl::unexpected(body.error());
     const auto size = static_cast<qsizetype>(body->size());

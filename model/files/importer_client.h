@@ -6,9 +6,12 @@
 #include "model/project/project.h"
 #include "model/values/error.h"
 
+#include <memory>
 #include <optional>
 
 namespace hairpaint::model {
+
+class HelperRun;
 
 /// 16-bit pixels, row 0 on top. `channels` 1 to 4 (grey, grey and alpha, RGB, RGBA), unassociated.
 struct ForeignImage
@@ -28,34 +31,36 @@ struct HelperSandbox
 
 /// Runs the helper program beside this one (or `HAIRPAINT_IMPORT`, for tests). Each call waits at most `timeoutMs`,
 /// polls `progress` for cancelling, and bounds the helper's memory. A helper that crashes, hangs or answers nonsense is
-/// an Error naming the file. Any thread.
+/// an Error naming the file. Its start takes a third of a second, and later calls of the same client do without: keep
+/// one where there are several files. Any thread, but the same for all calls.
 class ImporterClient
 {
 public:
-    explicit ImporterClient(QString helperPath = {}, int timeoutMs = usualTimeoutMs());
+    explicit ImporterClient(const QString& helperPath = {}, int timeoutMs = usualTimeoutMs());
+    ~ImporterClient();
+    ImporterClient(const ImporterClient&) = delete;
+    ImporterClient& operator=(const ImporterClient&) = delete;
     /// 16 s, or `HAIRPAINT_IMPORT_MS`, for tests.
     [[nodiscard]] static int usualTimeoutMs();
 
     /// Its numbers as they are.
-    [[nodiscard]] Result<ForeignImage> readImage(const QString& path, const Progress& progress = {}) const;
+    [[nodiscard]] Result<ForeignImage> readImage(const QString& path, const Progress& progress = {});
     /// As sRGB, whatever light (EXR, HDR) or profile the file has them in.
-    [[nodiscard]] Result<ForeignImage> readColours(const QString& path, const Progress& progress = {}) const;
+    [[nodiscard]] Result<ForeignImage> readColours(const QString& path, const Progress& progress = {});
     /// PNG, TIFF, EXR, ... by the file's ending; 8 or 16 bits a channel. Colours become linear light in EXR.
     [[nodiscard]] Result<void> writeImage(const ForeignImage& image, const QString& path, int bits = 16,
-                                          const Progress& progress = {}) const;
-    [[nodiscard]] Result<RiggedMesh> readMesh(const QString& path, const Progress& progress = {}) const;
+                                          const Progress& progress = {});
+    [[nodiscard]] Result<RiggedMesh> readMesh(const QString& path, const Progress& progress = {});
     /// As the helper finds it on this machine, tried there; none where it gives no answer.
-    [[nodiscard]] std::optional<HelperSandbox> sandbox() const;
+    [[nodiscard]] std::optional<HelperSandbox> sandbox();
 
 private:
-    [[nodiscard]] Result<ForeignImage> decodeImage(const QString& path, bool areColours,
-                                                   const Progress& progress) const;
-    [[nodiscard]] Result<RiggedMesh> decodeMesh(const QString& path, const Progress& progress) const;
+    [[nodiscard]] Result<ForeignImage> decodeImage(const QString& path, bool areColours, const Progress& progress);
+    [[nodiscard]] Result<RiggedMesh> decodeMesh(const QString& path, const Progress& progress);
     [[nodiscard]] Result<void> encodeImage(const ForeignImage& image, const QString& path, int bits,
-                                           const Progress& progress) const;
+                                           const Progress& progress);
 
-    QString m_helperPath;
-    int m_timeoutMs;
+    std::unique_ptr<HelperRun> m_helper;
 };
 
 } // namespace hairpaint::model

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -63,6 +64,8 @@ struct Refusal
 };
 
 inline constexpr std::size_t kHeaderBytes = 20;
+/// On the helper's standard error: the request is served, and nothing that served it is left.
+inline constexpr std::string_view kServed = "HPSERVED";
 inline constexpr std::uint64_t kLongestPath = 32'768;
 inline constexpr std::uint64_t kLongestName = 1024;
 inline constexpr std::uint32_t kLongestEnding = 16;

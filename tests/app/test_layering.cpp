@@ -227,7 +227,7 @@ private Q_SLOTS:
     }
 
     /// What is printed goes through one function, which knows what a terminal would obey (the helper's standard output
-    /// is no terminal's).
+    /// and error are no terminal's).
     void oneFileAloneWritesToStandardOutputAndError()
     {
         const QRegularExpression printing(QStringLiteral(
@@ -247,7 +247,8 @@ private Q_SLOTS:
         found.sort();
         // The console opens the streams and writes nothing.
         QCOMPARE(found, (QStringList{QStringLiteral("app/cli/console.cpp"), QStringLiteral("app/cli/terminal.cpp"),
-                                     QStringLiteral("app/importer/main.cpp")}));
+                                     QStringLiteral("app/importer/main.cpp"),
+                                     QStringLiteral("app/importer/request_service.cpp")}));
     }
 
     void noFileIsOverlong()

@@ -21,6 +21,11 @@ void send(const wire::Bytes& bytes)
     std::fflush(stdout);
 }
 
+void tellServed()
+{
+    std::fwrite(wire::kServed.data(), 1, wire::kServed.size(), stderr);
+}
+
 [[noreturn]] void sleepForEver()
 {
     const std::atomic<bool> isOver = false;
@@ -145,6 +150,19 @@ int main()
         send(meshSpoilt(false));
     if (mode == "good, then abort") {
         send(goodImage());
+        std::abort();
+    }
+    if (mode == "two answers, then served") {
+        send(goodImage());
+        send(goodImage());
+        tellServed();
+        sleepForEver();
+    }
+    if (mode == "one served, then abort") {
+        (void)unencoded();
+        send(wire::encodeFile(goodImage()));
+        tellServed();
+        (void)unencoded();
         std::abort();
     }
     if (mode == "good, then hang") {

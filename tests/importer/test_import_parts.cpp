@@ -58,7 +58,7 @@ private:
     QTemporaryDir m_folder;
     ImporterClient m_client{QStringLiteral(HAIRPAINT_IMPORT_PROGRAM), 60'000};
 
-    [[nodiscard]] Result<RiggedMesh> read(const QString& name, const QByteArray& bytes) const
+    [[nodiscard]] Result<RiggedMesh> read(const QString& name, const QByteArray& bytes)
     {
         test::writeBytes(m_folder.filePath(name), bytes);
         return m_client.readMesh(m_folder.filePath(name));

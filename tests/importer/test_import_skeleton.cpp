@@ -63,7 +63,7 @@ private:
     QTemporaryDir m_folder;
     ImporterClient m_client{QStringLiteral(HAIRPAINT_IMPORT_PROGRAM), 60'000};
 
-    [[nodiscard]] Result<RiggedMesh> read(const QByteArray& glb, const char* name = "body.glb") const
+    [[nodiscard]] Result<RiggedMesh> read(const QByteArray& glb, const char* name = "body.glb")
     {
         const QString path = m_folder.filePath(QString::fromLatin1(name));
         test::writeBytes(path, glb);

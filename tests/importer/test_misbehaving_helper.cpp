@@ -51,6 +51,7 @@ private Q_SLOTS:
                                  "long body never sent",
                                  "endless body",
                                  "bytes after the end",
+                                 "two answers, then served",
                                  "a request for an answer",
                                  "unknown refusal",
                                  "another answer",
@@ -69,7 +70,7 @@ private Q_SLOTS:
         QFETCH(QByteArray, mode);
         qputenv("HAIRPAINT_FAKE_HELPER", mode);
         const bool isEndless = mode.endsWith("hang") || mode == "spin";
-        const ImporterClient client(helper(), isEndless ? kShortMs : kLongMs);
+        ImporterClient client(helper(), isEndless ? kShortMs : kLongMs);
         const auto image = client.readImage(m_file);
         const bool meshMode = mode.startsWith("mesh");
         QVERIFY(!image);
@@ -98,6 +99,22 @@ private Q_SLOTS:
         QVERIFY(!written);
         QVERIFY2(test::isOneSentenceNaming(written.error().message, path), qPrintable(written.error().message));
         QVERIFY(!QFile::exists(path));
+    }
+
+    void whereItEndsBetweenFilesTheNextStartsAnother()
+    {
+        qputenv("HAIRPAINT_FAKE_HELPER", "one served, then abort");
+        ImporterClient client(helper(), kLongMs);
+        const ForeignImage image{.width = 2, .height = 1, .channels = 1, .pixels = {1, 2}};
+        for (const bool succeeds : {true, false, true, false}) {
+            const QString path =
+                m_folder.filePath(succeeds ? QStringLiteral("written.png") : QStringLiteral("failed.png"));
+            const auto written = client.writeImage(image, path);
+            QCOMPARE(written.has_value(), succeeds);
+            QCOMPARE(QFile::exists(path), succeeds);
+            if (!succeeds)
+                QVERIFY2(test::isOneSentenceNaming(written.error().message, path), qPrintable(written.error().message));
+        }
     }
 
     void cancellingEndsTheHelper()
@@ -139,7 +156,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, path);
         qputenv("HAIRPAINT_FAKE_HELPER", "good");
-        const ImporterClient client(helper(), kLongMs);
+        ImporterClient client(helper(), kLongMs);
         const auto image = client.readImage(path);
         const auto mesh = client.readMesh(path);
         QVERIFY(!image && !mesh);
