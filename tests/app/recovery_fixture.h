@@ -61,9 +61,11 @@ inline int foldersLeft()
 class RecoveryFixture : protected WindowFixture
 {
 protected:
+    void openEmpty() { openWindow(test::smallProject()); }
+
     void openBald()
     {
-        model::Project project = model::newProject();
+        model::Project project = test::smallProject();
         project.wind.enabled = false;
         openWindow(std::move(project));
         key(Qt::Key_1);

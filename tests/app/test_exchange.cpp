@@ -163,34 +163,30 @@ private Q_SLOTS:
         QVERIFY(m_answers->said.isEmpty());
     }
 
-    void aHelperThatFailsCostsOneSentence_data()
+    void helpersThatFailCostOneSentenceEach()
     {
-        QTest::addColumn<QByteArray>("mode");
-        for (const char* mode : {"abort", "silent", "hang", "endless garbage", "missing", "image of wrong size",
-                                 "mesh with a wrong index", "mesh with NaN", "good"})
-            QTest::newRow(mode) << QByteArray(mode);
-    }
-    void aHelperThatFailsCostsOneSentence()
-    {
-        QFETCH(QByteArray, mode);
-        open(model::newProject());
+        open(test::smallProject());
         const QByteArray before = savedBytes("helper-before.hairpaint");
-        qputenv("HAIRPAINT_IMPORT",
-                mode == "missing" ? m_folder.path().toLocal8Bit() + "/none" : HAIRPAINT_FAKE_HELPER_PROGRAM);
-        qputenv("HAIRPAINT_FAKE_HELPER", mode);
-        if (mode == "hang")
-            qputenv("HAIRPAINT_IMPORT_MS", "2000"); // It is given up soon.
-        drop(ballHead("crashing.glb"));
-        QTRY_COMPARE_WITH_TIMEOUT(m_answers->said.size(), 1, kPatienceMs);
-        const QString& said = m_answers->said.constFirst();
-        QVERIFY2(said.contains(QStringLiteral("crashing.glb")) && !said.contains(QLatin1Char('\n')), qPrintable(said));
-        QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeModalWidget() == nullptr, kPatienceMs);
-        QCOMPARE(m_answers->said.size(), 1);
-        QCOMPARE(stack().count(), 0);
-        QVERIFY(!session().document().modified());
-        QVERIFY(savedBytes("helper-after.hairpaint") == before);
+        for (const QByteArray mode : {"abort", "silent", "hang", "endless garbage", "missing", "image of wrong size",
+                                      "mesh with a wrong index", "mesh with NaN", "good"}) {
+            qputenv("HAIRPAINT_IMPORT",
+                    mode == "missing" ? m_folder.path().toLocal8Bit() + "/none" : HAIRPAINT_FAKE_HELPER_PROGRAM);
+            qputenv("HAIRPAINT_FAKE_HELPER", mode);
+            if (mode == "hang")
+                qputenv("HAIRPAINT_IMPORT_MS", "500"); // It is given up soon.
+            m_answers->said.clear();
+            drop(ballHead("crashing.glb"));
+            QTRY_VERIFY2_WITH_TIMEOUT(m_answers->said.size() == 1, mode.constData(), kPatienceMs);
+            const QString said = m_answers->said.constFirst();
+            QVERIFY2(said.contains(QStringLiteral("crashing.glb")) && !said.contains(QLatin1Char('\n')),
+                     qPrintable(said));
+            QTRY_VERIFY2_WITH_TIMEOUT(QApplication::activeModalWidget() == nullptr, mode.constData(), kPatienceMs);
+            QVERIFY2(m_answers->said.size() == 1, mode.constData());
+            QVERIFY2(stack().count() == 0 && !session().document().modified(), mode.constData());
+            QVERIFY2(savedBytes("helper-after.hairpaint") == before, mode.constData());
+            qunsetenv("HAIRPAINT_IMPORT_MS");
+        }
         // The program goes on.
-        qunsetenv("HAIRPAINT_IMPORT_MS");
         qputenv("HAIRPAINT_IMPORT", HAIRPAINT_IMPORT_PROGRAM);
         drop(ballHead("good.glb"));
         QTRY_COMPARE_WITH_TIMEOUT(stack().count(), 1, kPatienceMs);
@@ -208,7 +204,7 @@ private Q_SLOTS:
     {
         QFETCH(QByteArray, action);
         QFETCH(QByteArray, mode);
-        open(model::newProject());
+        open(test::smallProject());
         const QByteArray before = savedBytes("silent-before.hairpaint");
         qputenv("HAIRPAINT_IMPORT", HAIRPAINT_FAKE_HELPER_PROGRAM);
         qputenv("HAIRPAINT_FAKE_HELPER", mode);
@@ -361,22 +357,17 @@ private Q_SLOTS:
         }));
     }
 
-    void cancelledDialogsDoNothing_data()
-    {
-        QTest::addColumn<QByteArray>("action");
-        for (const char* action : {"file.loadImage", "file.loadGrey", "file.saveImage", "file.importHead",
-                                   "file.exportHair", "file.picture", "file.open", "file.saveAs"})
-            QTest::newRow(action) << QByteArray(action);
-    }
     void cancelledDialogsDoNothing()
     {
-        QFETCH(QByteArray, action);
-        open(model::newProject());
+        open(test::smallProject());
         const QByteArray before = savedBytes("cancel-before.hairpaint");
-        trigger(action.constData());
-        QCOMPARE(stack().count(), 0);
-        QVERIFY(m_done.isEmpty() && m_answers->said.isEmpty());
-        QVERIFY(savedBytes("cancel-after.hairpaint") == before);
+        for (const char* action : {"file.loadImage", "file.loadGrey", "file.saveImage", "file.importHead",
+                                   "file.exportHair", "file.picture", "file.open", "file.saveAs"}) {
+            trigger(action);
+            QVERIFY2(stack().count() == 0, action);
+            QVERIFY2(m_done.isEmpty() && m_answers->said.isEmpty(), action);
+            QVERIFY2(savedBytes("cancel-after.hairpaint") == before, action);
+        }
     }
 };
 

@@ -101,11 +101,10 @@ private Q_SLOTS:
     {
         QFETCH(int, range);
         QFETCH(int, count);
-        model::Project project = test::thinned(starterProject());
-        model::HairGroup beard = project.groups.front();
-        beard.id += 100;
-        beard.name = QStringLiteral("Beard");
-        project.groups.push_back(beard);
+        model::Project project = test::smallProject(); // Whose maps are quickly written.
+        sim::TiledRaster& lengths = project.groups.front().map(model::MapKind::Length).layers.front().raster;
+        lengths = sim::TiledRaster(lengths.size(), lengths.channels(), {40'000, 65'535});
+        project.groups.push_back(model::makeGroup(project, QStringLiteral("Beard"), lengths.size()));
         openTold(std::move(project));
         editor().target().setMap(model::MapKind::Length);
         m_answers->file = freshFolder("maps");
@@ -124,13 +123,14 @@ private Q_SLOTS:
         QVERIFY(length.isGrayscale() && length.depth() == 8);
         const auto resolved = session().document().resolvedNow(editor().target().group(), model::MapKind::Length);
         QCOMPARE(length.width(), resolved->size());
+        QVERIFY(resolved->texel(0, 0)[0] > 0);
         const int middle = length.width() / 2;
         QVERIFY(std::abs(qGray(length.pixel(middle, middle)) - resolved->texel(middle, middle)[0] / 257) <= 1);
     }
 
     void mapsThatAreThereAreReplacedOnlyAfterAsking()
     {
-        openTold(model::newProject());
+        openTold(test::smallProject());
         m_answers->file = freshFolder("again");
         trigger("file.saveImages");
         QVERIFY(m_answers->said.isEmpty());
@@ -141,7 +141,7 @@ private Q_SLOTS:
 
     void mapsThatCantBeSavedAreToldOfOnce()
     {
-        openTold(model::newProject());
+        openTold(test::smallProject());
         const QString folder = freshFolder("taken");
         QVERIFY(QDir(folder).mkdir(QStringLiteral("Scalp-length.png"))); // Where a file should go.
         m_answers->file = folder;
@@ -154,7 +154,7 @@ private Q_SLOTS:
 
     void theSheetIsSaved()
     {
-        openTold(model::newProject());
+        openTold(test::smallProject());
         m_answers->file = path("layout"); // The ending is the filter's.
         trigger("file.uvSheet");
         QCOMPARE(m_told, QStringList(QStringLiteral("layout.pdf written")));
@@ -163,7 +163,7 @@ private Q_SLOTS:
 
     void whatAnotherProgramSavesComesBackAsOneStep()
     {
-        openTold(model::newProject());
+        openTold(test::smallProject());
         editor().target().setMap(model::MapKind::Length);
         const model::LayerAddress target = editor().target().address();
         trigger("file.editOutside");
@@ -203,7 +203,7 @@ private Q_SLOTS:
 
     void whatBelongsToAnotherProjectStaysOut()
     {
-        openTold(model::newProject());
+        openTold(test::smallProject());
         editor().target().setMap(model::MapKind::Length);
         trigger("file.editOutside");
         session().document().replace(model::newProject());
@@ -218,7 +218,7 @@ private Q_SLOTS:
 
     void aLayerThatWasLockedMeanwhileStays()
     {
-        openTold(model::newProject());
+        openTold(test::smallProject());
         editor().target().setMap(model::MapKind::Length);
         trigger("file.editOutside");
         const model::LayerAddress target = editor().target().address();
@@ -237,7 +237,7 @@ private Q_SLOTS:
 #ifdef Q_OS_LINUX
     void withoutAFolderForItTheImageIsToldOf()
     {
-        openTold(model::newProject());
+        openTold(test::smallProject());
         const QByteArray before = qgetenv("TMPDIR");
         qputenv("TMPDIR", "/proc");
         trigger("file.editOutside");
@@ -255,7 +255,7 @@ private Q_SLOTS:
         const QDir blender = freshBlender();
         for (const char* version : {"2.93", "3.4", "4.2", "notes"})
             QVERIFY(blender.mkpath(QLatin1StringView(version)));
-        openTold(model::newProject());
+        openTold(test::smallProject());
         trigger("file.blender");
         QCOMPARE(m_answers->said.size(), qsizetype{1});
         QVERIFY2(m_answers->said.front().contains(QStringLiteral("3.4, 4.2")), qPrintable(m_answers->said.front()));
@@ -271,7 +271,7 @@ private Q_SLOTS:
     void withoutBlenderTheAddonIsSaved()
     {
         (void)freshBlender();
-        openTold(model::newProject());
+        openTold(test::smallProject());
         m_answers->file = path("addon");
         trigger("file.blender");
         QVERIFY(m_answers->said.isEmpty());
@@ -280,7 +280,7 @@ private Q_SLOTS:
 
     void anImageFromElsewhereIsPasted()
     {
-        openTold(model::newProject());
+        openTold(test::smallProject());
         editor().target().setMap(model::MapKind::Length);
         QImage image(64, 64, QImage::Format_RGB32);
         image.fill(Qt::blue);

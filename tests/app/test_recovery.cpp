@@ -46,7 +46,7 @@ private Q_SLOTS:
         QCOMPARE(foldersLeft(), 0);
         if (!crashes)
             return;
-        openWindow(model::newProject());
+        openEmpty();
         offer(); // So would this.
     }
 
@@ -73,7 +73,7 @@ private Q_SLOTS:
         crash();
         QCOMPARE(foldersLeft(), 1);
 
-        openWindow(model::newProject());
+        openEmpty();
         RecoveryAnswer answer(QStringLiteral("Restore"));
         offer();
         QCOMPARE(answer.offered.size(), 1);
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QCOMPARE(foldersLeft(), 1); // The new window's alone.
         // And once more.
         crash();
-        openWindow(model::newProject());
+        openEmpty();
         RecoveryAnswer again(QStringLiteral("Restore"));
         offer();
         QCOMPARE(savedBytes("again.hairpaint"), another);
@@ -110,7 +110,7 @@ private Q_SLOTS:
         QVERIFY(m_window->files().save());
         crash();
         QCOMPARE(foldersLeft(), 1);
-        openWindow(model::newProject());
+        openEmpty();
         offer();
         QCOMPARE(foldersLeft(), 0);
     }
@@ -125,7 +125,7 @@ private Q_SLOTS:
         stroke(0.6F);
         const QByteArray changed = savedBytes("changed.hairpaint");
         crash();
-        openWindow(model::newProject());
+        openEmpty();
         RecoveryAnswer answer(QStringLiteral("Restore"));
         offer();
         QVERIFY(answer.offered.front().contains(QStringLiteral("kept")));
@@ -149,7 +149,7 @@ private Q_SLOTS:
             return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
         };
         const QByteArray others = read();
-        openWindow(model::newProject());
+        openEmpty();
         QSignalSpy told(&m_window->files(), &ProjectFiles::changedOutside);
         {
             const RecoveryAnswer answer(QStringLiteral("Restore")); // Not of the question below.
@@ -169,7 +169,7 @@ private Q_SLOTS:
         openBald();
         stroke(0.5F);
         crash();
-        openWindow(model::newProject());
+        openEmpty();
         {
             RecoveryAnswer later(QStringLiteral("Not now"));
             offer();
@@ -188,7 +188,7 @@ private Q_SLOTS:
         openBald();
         stroke(0.5F);
         crash();
-        openWindow(model::newProject());
+        openEmpty();
         const auto kept = [this] {
             const auto labels = m_window->findChild<view::StatusReadout*>()->findChildren<QLabel*>();
             return std::ranges::any_of(labels, [](const QLabel* label) {
@@ -215,7 +215,7 @@ private Q_SLOTS:
     {
         openBald();
         stroke(0.5F);
-        auto other = std::make_unique<MainWindow>(model::newProject(), QString());
+        auto other = std::make_unique<MainWindow>(test::smallProject(), QString());
         QTRY_COMPARE_WITH_TIMEOUT(foldersLeft(), 1, kPatienceMs);
         other->offerUnsavedWork(); // Would wait for an answer.
         QCOMPARE(foldersLeft(), 1);
@@ -246,7 +246,7 @@ private Q_SLOTS:
         QFile::link(path, m_folder.filePath(QStringLiteral("link.hairpaint")));
         const QByteArray changed = crashAfterSaving(path);
         QVERIFY(!changed.isEmpty());
-        openWindow(model::newProject());
+        openEmpty();
         RecoveryAnswer answer(QStringLiteral("Restore"));
         m_window->begin(m_folder.filePath(spelling));
         QCOMPARE(answer.offered.size(), 1);
@@ -263,7 +263,7 @@ private Q_SLOTS:
         const QString other = m_folder.filePath(QStringLiteral("other.hairpaint"));
         QVERIFY(model::saveProject(model::newProject(), other, {}));
         const QByteArray changed = crashAfterSaving(m_folder.filePath(QStringLiteral("P.hairpaint")));
-        openWindow(model::newProject());
+        openEmpty();
         RecoveryAnswer answer(QStringLiteral("Restore"));
         m_window->begin(other);
         QCOMPARE(answer.question, QString());
@@ -275,7 +275,7 @@ private Q_SLOTS:
     {
         const QString path = m_folder.filePath(QStringLiteral("P.hairpaint"));
         QVERIFY(!crashAfterSaving(path).isEmpty());
-        openWindow(model::newProject());
+        openEmpty();
         RecoveryAnswer later(QStringLiteral("Not now"));
         m_window->begin(path);
         QCOMPARE(m_window->files().path(), path);
@@ -291,7 +291,7 @@ private Q_SLOTS:
         openBald();
         stroke(0.3F);
         crash(); // Later, so it would come first.
-        openWindow(model::newProject());
+        openEmpty();
         RecoveryAnswer answer(QStringLiteral("Restore"));
         m_window->begin(path);
         QCOMPARE(answer.offered.size(), 2);
@@ -309,7 +309,7 @@ private Q_SLOTS:
         }
         crash();
         for (int turn = 0; turn < 2; ++turn) {
-            openWindow(model::newProject());
+            openEmpty();
             RecoveryAnswer answer(QStringLiteral("Restore"));
             offer();
             QCOMPARE(stack().count(), 40);

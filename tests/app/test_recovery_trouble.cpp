@@ -44,7 +44,7 @@ private Q_SLOTS:
         {
             const test::FileRefusal refusal(path.constData(),
                                             isFull ? test::FileRefusal::Why::Full : test::FileRefusal::Why::ReadOnly);
-            openWindow(model::newProject());
+            openEmpty();
             {
                 RecoveryAnswer later(QStringLiteral("Not now"));
                 offer();
@@ -58,7 +58,7 @@ private Q_SLOTS:
             QCOMPARE(stack().index(), 2);
             QVERIFY(says(QStringLiteral("no safety copy")));
             QCOMPARE(foldersLeft(), 1); // It is nowhere else.
-            const auto other = std::make_unique<MainWindow>(model::newProject(), QString());
+            const auto other = std::make_unique<MainWindow>(test::smallProject(), QString());
             other->offerUnsavedWork(); // Would wait for an answer: but this window has it.
         }
         stroke(0.7F);
@@ -66,7 +66,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(foldersLeft(), 1, kPatienceMs); // This window's own.
         const QByteArray more = savedBytes("more.hairpaint");
         crash();
-        openWindow(model::newProject());
+        openEmpty();
         RecoveryAnswer again(QStringLiteral("Restore"));
         offer();
         QCOMPARE(again.offered.size(), 1);
@@ -82,7 +82,7 @@ private Q_SLOTS:
         leaveLock(onlyFolder());
         const QByteArray path = QFile::encodeName(QFileInfo(JournalFolder::root()).absolutePath());
         const test::FileRefusal refusal(path.constData(), test::FileRefusal::Why::ReadOnly);
-        openWindow(model::newProject());
+        openEmpty();
         class DiscardThenLater : public RecoveryAnswer
         {
         public:
@@ -135,7 +135,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(foldersLeft(), 1, kPatienceMs);
         const QByteArray work = savedBytes("work.hairpaint");
         crash();
-        openWindow(model::newProject());
+        openEmpty();
         RecoveryAnswer answer(QStringLiteral("Restore"));
         offer();
         QCOMPARE(answer.offered.size(), 1);
@@ -197,7 +197,7 @@ private Q_SLOTS:
         openBald();
         stroke(0.5F);
         crash();
-        openWindow(model::newProject());
+        openEmpty();
         hurryJobs();
         const QByteArray path = QFile::encodeName(JournalFolder::root());
         {
@@ -270,7 +270,7 @@ private Q_SLOTS:
         QByteArray bytes = model::recordBytes(model::RecordKind::Start, model::journalStart());
         bytes += model::recordBytes(model::RecordKind::State, model::statePayload(notOurs));
         test::writeBytes(journal, bytes);
-        openWindow(model::newProject());
+        openEmpty();
         offer(); // There is nothing to choose from.
         QVERIFY(says(QStringLiteral("damaged")));
         QCOMPARE(foldersLeft(), 1);
