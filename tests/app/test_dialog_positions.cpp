@@ -88,7 +88,7 @@ private Q_SLOTS:
 
     void aDialogStaysInsideTheScreenAlsoWhereItGrows()
     {
-        openWindow(model::newProject());
+        openWindow(test::smallProject());
         const QRect screen = m_window->screen()->availableGeometry();
         QDialog dialog(m_window.get());
         dialog.resize(4000, 3000);
@@ -103,7 +103,7 @@ private Q_SLOTS:
 
     void aDialogOpensBesideTheHeadAndWhereItWasLeft()
     {
-        openWindow(model::newProject());
+        openWindow(test::smallProject());
         m_window->move(0, 0);
         auto* light = shown<view::LightDialog>("hair.lightDialog");
         QVERIFY(light != nullptr);
@@ -129,11 +129,11 @@ private Q_SLOTS:
 
         // The next start knows it; what is too far away comes back.
         m_window.reset();
-        openWindow(model::newProject());
+        openWindow(test::smallProject());
         QCOMPARE(shown<view::LightDialog>("hair.lightDialog")->pos(), wanted);
         m_window.reset();
         Settings().setDialogPosition(QStringLiteral("hairpaint::view::LightDialog"), {9000, -5000});
-        openWindow(model::newProject());
+        openWindow(test::smallProject());
         light = shown<view::LightDialog>("hair.lightDialog");
         QVERIFY(m_window->screen()->availableGeometry().contains(light->geometry()));
     }

@@ -143,7 +143,7 @@ private Q_SLOTS:
 
     void landmarksThatAreNotWantedChangeNothing()
     {
-        open(model::newProject());
+        open(test::smallProject());
         m_answers->takesLandmarks = false;
         m_answers->file = ballHead("ball.glb");
         trigger("file.importHead");
@@ -153,7 +153,7 @@ private Q_SLOTS:
 
     void aHeadThatIsNotWantedChangesNothing()
     {
-        open(model::newProject());
+        open(test::smallProject());
         const QByteArray before = savedBytes("head-before.hairpaint");
         m_answers->takesHead = false;
         m_answers->file = ballHead("ball.glb");

@@ -61,16 +61,6 @@ class TestFileDialogs : public QObject, private WindowFixture
 {
     Q_OBJECT
 private:
-    static void actions()
-    {
-        QTest::addColumn<QByteArray>("action");
-        QTest::addColumn<QString>("suffix");
-        QTest::newRow("project") << QByteArray("file.saveAs") << QStringLiteral(".hairpaint");
-        QTest::newRow("hair") << QByteArray("file.exportHair") << QStringLiteral(".hair");
-        QTest::newRow("picture") << QByteArray("file.picture") << QStringLiteral(".png");
-        QTest::newRow("map") << QByteArray("file.saveImage") << QStringLiteral(".png");
-    }
-
     /// Dialogs beside the window go on to the file's with Enter.
     void trigger(const QByteArray& action)
     {
@@ -94,12 +84,20 @@ private Q_SLOTS:
     }
     void cleanup() { m_window.reset(); }
 
-    void whatIsThereIsReplacedOnlyAfterAsking_data() { actions(); }
+    void whatIsThereIsReplacedOnlyAfterAsking_data()
+    {
+        QTest::addColumn<QByteArray>("action");
+        QTest::addColumn<QString>("suffix");
+        QTest::newRow("project") << QByteArray("file.saveAs") << QStringLiteral(".hairpaint");
+        QTest::newRow("hair") << QByteArray("file.exportHair") << QStringLiteral(".hair");
+        QTest::newRow("picture") << QByteArray("file.picture") << QStringLiteral(".png");
+        QTest::newRow("map") << QByteArray("file.saveImage") << QStringLiteral(".png");
+    }
     void whatIsThereIsReplacedOnlyAfterAsking()
     {
         QFETCH(QByteArray, action);
         QFETCH(QString, suffix);
-        openWindow(model::newProject());
+        openWindow(test::smallProject());
         const QString bare = m_folder.filePath(QStringLiteral("taken"));
         const QString other = m_folder.filePath(QStringLiteral("other")) + suffix;
         test::writeBytes(bare + suffix, "old");
@@ -196,44 +194,43 @@ private Q_SLOTS:
         QCOMPARE(nearestFolder(wanted), isFound ? m_folder.path() : usual);
     }
 
-    void aDotInTheNameIsNoEnding_data()
-    {
-        actions();
-        QTest::newRow("sheet") << QByteArray("file.uvSheet") << QStringLiteral(".pdf");
-    }
     void aDotInTheNameIsNoEnding()
     {
-        QFETCH(QByteArray, action);
-        QFETCH(QString, suffix);
-        openWindow(model::newProject());
+        openWindow(test::smallProject());
         const QString name = m_folder.filePath(QStringLiteral("take 1.2"));
-        Saver saver;
-        saver.names = {name};
-        trigger(action);
-        QVERIFY(QFileInfo::exists(name + suffix));
-        QVERIFY(!QFileInfo::exists(name));
+        for (const auto& [action, suffix] : std::initializer_list<std::pair<const char*, const char*>>{
+                 {"file.saveAs", ".hairpaint"},
+                 {"file.exportHair", ".hair"},
+                 {"file.picture", ".png"},
+                 {"file.saveImage", ".png"},
+                 {"file.uvSheet", ".pdf"},
+             }) {
+            const QString file = name + QLatin1StringView(suffix);
+            QFile::remove(file);
+            Saver saver;
+            saver.names = {name};
+            trigger(action);
+            QVERIFY2(QFileInfo::exists(file) && !QFileInfo::exists(name), action);
+        }
     }
 
-    void anEndingOfTheSameKindIsKept_data()
-    {
-        QTest::addColumn<QByteArray>("action");
-        QTest::addColumn<QString>("name");
-        QTest::newRow("another format of hair") << QByteArray("file.exportHair") << QStringLiteral("other.obj");
-        QTest::newRow("a drawing") << QByteArray("file.uvSheet") << QStringLiteral("sheet.svg");
-        QTest::newRow("in capitals") << QByteArray("file.saveImage") << QStringLiteral("MAP.TGA");
-        QTest::newRow("a longer ending") << QByteArray("file.saveImage") << QStringLiteral("map.tiff");
-        QTest::newRow("linear light") << QByteArray("file.picture") << QStringLiteral("picture.exr");
-        QTest::newRow("JPEG") << QByteArray("file.picture") << QStringLiteral("picture.jpeg");
-    }
     void anEndingOfTheSameKindIsKept()
     {
-        QFETCH(QByteArray, action);
-        QFETCH(QString, name);
-        openWindow(model::newProject());
-        Saver saver;
-        saver.names = {m_folder.filePath(name)};
-        trigger(action);
-        QVERIFY(QFileInfo::exists(m_folder.filePath(name)));
+        openWindow(test::smallProject());
+        for (const auto& [action, name] : std::initializer_list<std::pair<const char*, const char*>>{
+                 {"file.exportHair", "other.obj"},
+                 {"file.uvSheet", "sheet.svg"},
+                 {"file.saveImage", "MAP.TGA"},
+                 {"file.saveImage", "map.tiff"},
+                 {"file.picture", "picture.exr"},
+                 {"file.picture", "picture.jpeg"},
+             }) {
+            const QString file = m_folder.filePath(QLatin1StringView(name));
+            Saver saver;
+            saver.names = {file};
+            trigger(action);
+            QVERIFY2(QFileInfo::exists(file), name);
+        }
     }
 };
 

@@ -21,7 +21,7 @@ private:
 
     void openSaved()
     {
-        openWindow(model::newProject());
+        openWindow(test::smallProject());
         m_path = m_folder.filePath(QStringLiteral("shared.hairpaint"));
         QFile::remove(m_path);
         m_window->files().setPath(m_path);
@@ -103,14 +103,14 @@ private Q_SLOTS:
         m_window.reset();
         QVERIFY(!QFile::exists(locks + name));
         test::writeBytes(locks + name, "999999999\nhairpaint\n");
-        openWindow(model::newProject());
+        openWindow(test::smallProject());
         const QByteArray path = QFile::encodeName(QFileInfo(locks).path());
         const test::FileRefusal refusal(path.constData(),
                                         isFull ? test::FileRefusal::Why::Full : test::FileRefusal::Why::ReadOnly);
         BoxAnswer answer(QStringLiteral("Open anyway"));
         QVERIFY(m_window->files().openPath(m_path));
         QCOMPARE(answer.asked, QStringList());
-        const auto other = std::make_unique<MainWindow>(model::newProject(), QString());
+        const auto other = std::make_unique<MainWindow>(test::smallProject(), QString());
         QVERIFY(other->files().openPath(m_path));
         QCOMPARE(answer.asked.size(), 1); // This one is.
     }
@@ -188,7 +188,7 @@ private Q_SLOTS:
             preferences.earlierVersions = keep;
             Settings().setPreferences(preferences);
             m_window.reset();
-            openWindow(model::newProject());
+            openWindow(test::smallProject());
             QVERIFY(m_window->files().openPath(m_path));
             changeBackground(0xFF000000U + static_cast<QRgb>(saved.size()) * 1000U);
             QVERIFY(m_window->files().save());
@@ -231,7 +231,7 @@ private Q_SLOTS:
     void anotherWindowThatOpensItIsTold()
     {
         openSaved();
-        MainWindow other(test::thinned(model::newProject()), QString());
+        MainWindow other(test::smallProject(), QString());
         {
             BoxAnswer stop(QStringLiteral("Cancel"));
             QVERIFY(!other.files().openPath(m_path));
@@ -248,7 +248,7 @@ private Q_SLOTS:
         QVERIFY(m_window->files().openPath(m_path));
         QCOMPARE(answer.asked, QStringList());
         m_window.reset();
-        MainWindow third(test::thinned(model::newProject()), QString());
+        MainWindow third(test::smallProject(), QString());
         QVERIFY(third.files().openPath(m_path));
         QCOMPARE(answer.asked, QStringList());
     }

@@ -69,7 +69,7 @@ private:
 
     void openSaved()
     {
-        openWindow(model::newProject());
+        openWindow(test::smallProject());
         hurryJobs();
         m_window->files().setPath(m_path);
         QVERIFY(m_window->files().save());
