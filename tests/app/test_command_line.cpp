@@ -204,6 +204,7 @@ private Q_SLOTS:
         const auto restored = qScopeGuard([] { qunsetenv("XDG_DATA_HOME"); });
         model::Project project = model::newProject();
         project.groups.front().name = name;
+        project.maxHairs = 500; // Only names matter.
         QVERIFY(model::saveProject(project, path("hostile.hairpaint"), {}));
         const QString styles = data.path() + QStringLiteral("/Hair Paint/hairpaint/styles");
         QVERIFY(QDir().mkpath(styles));
@@ -325,6 +326,7 @@ private Q_SLOTS:
         const quint64 seed = 18'446'744'073'709'551'557ULL;
         hairpaint::model::Project project = hairpaint::model::newProject();
         project.seed = seed;
+        project.maxHairs = 500;
         project.groups.front().name = QStringLiteral("\"seed\": -59");
         QVERIFY(hairpaint::model::saveProject(project, path("seed.hairpaint"), {}));
         const QString json =

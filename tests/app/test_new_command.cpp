@@ -123,10 +123,12 @@ private Q_SLOTS:
         const QString grey = m_folder.filled("grey.png", QColor(64, 64, 64));
         const auto hairs = [&](const QString& map) {
             const QString project = m_folder.path("grey.hairpaint");
-            return make(project, {QStringLiteral("--map"), map}).isEmpty() ? hairsOf(infoOf(project)) : -1;
+            const QStringList options{QStringLiteral("--map"), map, QStringLiteral("--max-candidates"),
+                                      QStringLiteral("20000")};
+            return make(project, options).isEmpty() ? hairsOf(infoOf(project)) : -1;
         };
         const auto all = static_cast<double>(hairs(QStringLiteral("density=") + full));
-        QVERIFY(all > 50'000);
+        QVERIFY(all > 15'000);
         for (const char* kind : {"density=", "density:grey="}) {
             const auto some = static_cast<double>(hairs(QString::fromLatin1(kind) + grey));
             QVERIFY2(std::abs(some / all - 64.0 / 255.0) < 0.005, qPrintable(QString::number(some / all)));
