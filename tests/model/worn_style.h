@@ -7,22 +7,22 @@
 #include "model/files/project_file.h"
 #include "model/styles/preset.h"
 
+#include <map>
 #include <utility>
-#include <vector>
 
 namespace hairpaint::test {
 
-/// Read once a program.
-inline const std::vector<model::Preset>& builtInStyles()
+/// The built-in style named so in the strip; read once a program. Null: there is none.
+inline const model::Preset* builtInStyle(const QString& name)
 {
-    static const std::vector<model::Preset> styles = [] {
-        std::vector<model::Preset> read;
-        for (const QString& path : model::builtInPresets())
-            if (auto preset = model::loadPreset(path))
-                read.push_back(std::move(*preset));
-        return read;
-    }();
-    return styles;
+    static std::map<QString, model::Preset> read;
+    if (const auto known = read.find(name); known != read.end())
+        return &known->second;
+    for (const model::PresetEntry& entry : model::listPresets({}))
+        if (entry.name == name)
+            if (auto preset = model::loadPreset(entry.path))
+                return &read.emplace(name, std::move(*preset)).first->second;
+    return nullptr;
 }
 
 /// At most `maxHairs` of the style named so in the strip. The first layer of each of its maps has its name.
@@ -31,9 +31,8 @@ inline model::Project wearing(const QString& style, int maxHairs)
     model::Project project = model::newProject();
     project.maxHairs = maxHairs;
     model::Document document(std::move(project));
-    for (const model::Preset& preset : builtInStyles())
-        if (preset.name == style)
-            document.push(model::applyPresetCommand(document, preset));
+    if (const model::Preset* preset = builtInStyle(style))
+        document.push(model::applyPresetCommand(document, *preset));
     return document.project();
 }
 
