@@ -11,11 +11,9 @@ class TestBuiltInStyles : public QObject
 {
     Q_OBJECT
 private:
-    model::HairGroup m_grown;
+    presets::GrownHair m_grown;
 
 private Q_SLOTS:
-    void initTestCase() { m_grown = presets::hairOfHead(); }
-
     void theStripShowsEveryStyleInOrder()
     {
         QStringList wanted;
@@ -40,7 +38,7 @@ private Q_SLOTS:
     {
         QFETCH(int, index);
         const presets::Style style = presets::builtInStyles().at(static_cast<std::size_t>(index));
-        presets::Recording user(m_grown, style.settings);
+        presets::Recording user(m_grown.of(style), style.settings);
         style.record(user);
         // Each action has done something.
         QCOMPARE(user.document().undoStack().count(), user.actions());
@@ -51,6 +49,7 @@ private Q_SLOTS:
         QCOMPARE(committed->name, played.name);
         QCOMPARE(committed->tags, style.tags);
         QCOMPARE(committed->groups.size(), std::size_t{1});
+        QVERIFY(committed->worn == played.worn);
         QVERIFY(committed->groups.front().settings == played.groups.front().settings);
         for (const model::MapSpec& spec : model::mapSpecs()) {
             const auto& wanted = played.groups.front().map(spec.kind).layers;

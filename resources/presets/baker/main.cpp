@@ -19,7 +19,7 @@ namespace {
 int run(const QString& folder, const QStringList& wanted)
 {
     app::PictureMaker maker;
-    const model::HairGroup grown = hairOfHead();
+    GrownHair grown;
     QByteArray order;
     for (const Style& style : builtInStyles()) {
         order += QByteArray(style.id) + '\n';

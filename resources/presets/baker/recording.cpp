@@ -47,7 +47,7 @@ PaintValue colour(QRgb value)
     return paint;
 }
 
-PaintValue braid(int index)
+PaintValue entry(int index)
 {
     PaintValue paint;
     paint.index = index;
@@ -61,9 +61,12 @@ PaintValue upright()
     return paint;
 }
 
-model::HairGroup hairOfHead()
+model::HairGroup grownHair(QLatin1StringView kind)
 {
-    return *model::grownHair(model::hairKinds().front(), model::builtInHead());
+    const std::span<const model::HairKind> kinds = model::hairKinds();
+    const auto found =
+        std::ranges::find_if(kinds, [&](const auto& one) { return kind == QLatin1StringView(one.name); });
+    return *model::grownHair(*found, model::builtInHead());
 }
 
 Recording::Recording(model::HairGroup grown, const sim::GroupSettings& settings) : m_document(model::newProject())
@@ -226,6 +229,28 @@ void Recording::part(const Parting& parting, const Points& points)
         click(model::ToolId::Part, MapKind::Direction, point);
     model::ToolContext now = context(MapKind::Direction);
     tool(model::ToolId::Part).commit(now);
+}
+
+void Recording::gather(model::WornKind kind, const sim::SurfacePoint& point)
+{
+    push(gatherCommand(m_document, group().id, model::wornSpec(kind), point, {}));
+}
+
+void Recording::wear(model::WornKind kind, const sim::SurfacePoint& point)
+{
+    push(addWornCommand(m_document, makeWorn(model::wornSpec(kind), point, group().id)));
+}
+
+void Recording::setWorn(model::WornKind kind, const std::function<void(model::Worn&)>& set)
+{
+    ++m_actions;
+    model::EditSession session = m_document.begin({.text = model::wornText(model::wornSpec(kind).lookStep)});
+    session.preview({.aspect = model::Change::Aspect::Environment}, [&](model::Project& project) {
+        for (model::Worn& worn : project.worn)
+            if (worn.kind == kind)
+                set(worn);
+    });
+    session.commit();
 }
 
 const model::HairGroup& Recording::group() const

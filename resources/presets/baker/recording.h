@@ -7,6 +7,7 @@
 #include "model/tools/tool.h"
 #include "model/tools/tool_list.h"
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -40,11 +41,11 @@ struct Band
 
 [[nodiscard]] PaintValue scalar(float value);
 [[nodiscard]] PaintValue colour(QRgb value);
-[[nodiscard]] PaintValue braid(int index); ///< Of its palette.
+[[nodiscard]] PaintValue entry(int index); ///< Of a palette: of braids, of what is worn.
 [[nodiscard]] PaintValue upright();        ///< Of the direction map.
 
-/// What Hair > Add hair group > "Hair of the head" adds to the head of new projects.
-[[nodiscard]] model::HairGroup hairOfHead();
+/// What Hair > Add hair group adds of that kind (model/styles/hair_kinds.h) to the head of new projects.
+[[nodiscard]] model::HairGroup grownHair(QLatin1StringView kind);
 
 /// Points are Hd, m: a user finds them by eye. Every action is one step of the document's undo. One thread.
 class Recording
@@ -94,6 +95,11 @@ public:
     void comb(float flatness, const Ring& ring, const Points& points);
     /// A click at each point, then Enter.
     void part(const Parting& parting, const Points& points);
+    /// Hair that nothing gathers yet goes through a tie there; where hair there is gathered, its tie goes there.
+    void gather(model::WornKind kind, const sim::SurfacePoint& point);
+    void wear(model::WornKind kind, const sim::SurfacePoint& point);
+    /// In the panel of what is worn, on everything of that kind.
+    void setWorn(model::WornKind kind, const std::function<void(model::Worn&)>& set);
 
 private:
     [[nodiscard]] const model::HairGroup& group() const;

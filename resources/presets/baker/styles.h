@@ -5,6 +5,8 @@
 
 #include <QStringList>
 
+#include <map>
+#include <string>
 #include <vector>
 
 namespace hairpaint::presets {
@@ -16,6 +18,7 @@ struct Style
     QStringList tags;
     sim::GroupSettings settings;
     void (*record)(Recording& user);
+    const char* kind = "Scalp"; ///< Of the hair that it is made of.
 };
 
 [[nodiscard]] Style longStraight();
@@ -33,14 +36,20 @@ struct Style
 
 [[nodiscard]] std::vector<Style> builtInStyles(); ///< In the strip's order.
 
-/// What the style's recording makes of hairOfHead(), without its picture.
-[[nodiscard]] model::Preset played(const Style& style, const model::HairGroup& grown);
+/// Hair as it grows, each kind once.
+class GrownHair
+{
+public:
+    [[nodiscard]] const model::HairGroup& of(const Style& style);
+
+private:
+    std::map<std::string, model::HairGroup> m_groups;
+};
+
+/// What the style's recording makes of it, without its picture.
+[[nodiscard]] model::Preset played(const Style& style, GrownHair& grown);
 
 /// What most of them have in common.
 [[nodiscard]] sim::GroupSettings settingsOf(float greatestLengthM, float stiffnessM, float volumeM);
-
-/// Cuts hair so that it ends at a height when it falls down the sides of the head, but for what is longer than it may
-/// or shorter than it can be.
-void cutToLine(Recording& user, float lineHeightM, float shortestM);
 
 } // namespace hairpaint::presets

@@ -1,5 +1,6 @@
 // Styles of curled and coiled hair.
 #include "model/project/hair_types.h"
+#include "strokes.h"
 #include "styles.h"
 
 #include <array>

@@ -1,4 +1,5 @@
 // Styles that clippers and scissors leave short.
+#include "strokes.h"
 #include "styles.h"
 
 #include <array>
@@ -7,74 +8,6 @@
 namespace hairpaint::presets {
 
 namespace {
-
-/// Over the face, past the temples' corners and along the ridge of the head.
-constexpr std::array<Recording::Seen, 13> kRidge{{{0.0F, 0.058F},
-                                                  {15.0F, 0.058F},
-                                                  {28.0F, 0.060F},
-                                                  {38.0F, 0.063F},
-                                                  {50.0F, 0.062F},
-                                                  {65.0F, 0.059F},
-                                                  {80.0F, 0.057F},
-                                                  {95.0F, 0.056F},
-                                                  {110.0F, 0.055F},
-                                                  {125.0F, 0.053F},
-                                                  {140.0F, 0.050F},
-                                                  {160.0F, 0.047F},
-                                                  {180.0F, 0.045F}}};
-
-/// All around the head along its ridge, from the front over its left back to the front.
-Recording::Points aroundTop(const Recording& user)
-{
-    std::vector<Recording::Seen> line(kRidge.begin(), kRidge.end());
-    for (std::size_t i = kRidge.size() - 1; i-- > 0;)
-        line.push_back({-kRidge[i].degrees, kRidge[i].heightM});
-    return user.along(line);
-}
-
-/// The back above its ridge, cut ever longer up to the crown, so that it ends in a soft line above the nape.
-void taperBack(Recording& user, float ridgeM, float crownM)
-{
-    std::vector<Band> bands;
-    constexpr int kSteps = 16;
-    for (int step = 0; step <= kSteps; ++step) {
-        const float fraction = static_cast<float>(step) / kSteps;
-        const float longer = fraction * (0.7F + 0.3F * fraction); // As far as it is from there to the ridge.
-        bands.push_back({0.036F + 0.069F * fraction, user.length(ridgeM + (crownM - ridgeM) * longer)});
-    }
-    user.bands(MapKind::Length, bands, 100.0F);
-}
-
-/// Scissors over the comb: `ridgeM` where clippers stop, ever longer up to the crown.
-void graduate(Recording& user, float ridgeM, float crownM)
-{
-    user.fill(MapKind::Length, user.length(crownM));
-    std::vector<Band> bands;
-    constexpr int kSteps = 16;
-    for (int step = 0; step <= kSteps; ++step) {
-        const float fraction = static_cast<float>(step) / kSteps;
-        bands.push_back({0.04F + 0.06F * fraction, user.length(ridgeM + (crownM - ridgeM) * fraction * fraction)});
-    }
-    user.bands(MapKind::Length, bands);
-}
-
-/// Hair at the front, over the forehead.
-void front(Recording& user, MapKind map, const PaintValue& value, float sizeM)
-{
-    user.brush(map, value, {.sizeM = sizeM, .hardness = 0.1F}, user.level(0.080F, 0.0F, 26.0F));
-}
-
-/// Clippers from the nape and the ears up.
-void fade(Recording& user, float lowestM, float ridgeM)
-{
-    std::vector<Band> bands;
-    constexpr int kSteps = 16;
-    for (int step = 0; step <= kSteps; ++step) {
-        const float fraction = static_cast<float>(step) / kSteps;
-        bands.push_back({-0.09F + 0.13F * fraction, user.length(lowestM + (ridgeM - lowestM) * fraction * fraction)});
-    }
-    user.bands(MapKind::Length, bands, 45.0F);
-}
 
 /// Lanes of the comb from the temple along the ridge, and above it, around to the back and down.
 constexpr std::array<Recording::Seen, 10> kAlongRidge{{{40.0F, 0.064F},

@@ -1,0 +1,54 @@
+// Strokes that several styles have in common.
+#pragma once
+
+#include "recording.h"
+
+namespace hairpaint::presets {
+
+/// Of the braid map's palette.
+inline constexpr int kPlait = 1;
+inline constexpr int kLoc = 3;
+inline constexpr int kFishtail = 6;
+inline constexpr int kCornrow = 7;
+/// Of the accessory map's.
+inline constexpr int kPonytail = 1;
+inline constexpr int kBun = 2;
+
+/// All around the head along its ridge, from the front over its left back to the front.
+[[nodiscard]] Recording::Points aroundTop(const Recording& user);
+/// Around the hair of the head's left, a few mm out, but for a parting of that half width.
+[[nodiscard]] Recording::Points aroundLeft(const Recording& user, float fromMiddleM);
+/// From the forehead over the head and down its back.
+[[nodiscard]] Recording::Points overMiddle(const Recording& user);
+
+/// Cuts hair so that it ends at a height when it falls down the sides of the head, but for what is longer than it may
+/// or shorter than it can be.
+void cutToLine(Recording& user, float lineHeightM, float shortestM);
+/// The back above its ridge, cut ever longer up to the crown, so that it ends in a soft line above the nape.
+void taperBack(Recording& user, float ridgeM, float crownM);
+/// Scissors over the comb: `ridgeM` where clippers stop, ever longer up to the crown.
+void graduate(Recording& user, float ridgeM, float crownM);
+/// Clippers from the nape and the ears up.
+void fade(Recording& user, float lowestM, float ridgeM);
+/// Hair at the front, over the forehead.
+void front(Recording& user, MapKind map, const PaintValue& value, float sizeM);
+/// Over the middle, from the forehead to behind the crown.
+void partInTheMiddle(Recording& user, const Parting& parting);
+
+/// Hair at the forehead off the face and over the ears.
+void combOffFace(Recording& user);
+/// From the corners of the forehead down before the ears.
+void combBeforeEars(Recording& user);
+
+/// A fringe, combed over the forehead and cut there.
+struct Fringe
+{
+    float lengthM = 0.055F; ///< Of hair at the hairline.
+    float depthM = 0.035F;  ///< From there back,
+    float halfM = 0.036F;   ///< to either side.
+    float longerM = 0.0F;   ///< At its sides.
+    float flatness = 0.85F;
+};
+void cutFringe(Recording& user, const Fringe& fringe);
+
+} // namespace hairpaint::presets
