@@ -2678,6 +2678,106 @@
         <source>Base</source>
         <translation>Base</translation>
     </message>
+    <message>
+        <source>High ponytail</source>
+        <translation>Coleta alta</translation>
+    </message>
+    <message>
+        <source>Low bun</source>
+        <translation>Moño bajo</translation>
+    </message>
+    <message>
+        <source>Half-up with bow</source>
+        <translation>Semirrecogido con lazo</translation>
+    </message>
+    <message>
+        <source>Twin tails</source>
+        <translation>Dos coletas</translation>
+    </message>
+    <message>
+        <source>Top knot with undercut</source>
+        <translation>Moño alto con rapado</translation>
+    </message>
+    <message>
+        <source>Fishtail plait</source>
+        <translation>Trenza de espiga</translation>
+    </message>
+    <message>
+        <source>Box braids</source>
+        <translation>Trenzas africanas</translation>
+    </message>
+    <message>
+        <source>Cornrows</source>
+        <translation>Trenzas pegadas</translation>
+    </message>
+    <message>
+        <source>Locs</source>
+        <translation>Rastas</translation>
+    </message>
+    <message>
+        <source>Pixie</source>
+        <translation>Corte pixie</translation>
+    </message>
+    <message>
+        <source>Curtain layers</source>
+        <translation>Capas con flequillo cortina</translation>
+    </message>
+    <message>
+        <source>Jaw bob with fringe</source>
+        <translation>Bob a la mandíbula con flequillo</translation>
+    </message>
+    <message>
+        <source>Beach waves balayage</source>
+        <translation>Ondas de playa balayage</translation>
+    </message>
+    <message>
+        <source>Wolf cut</source>
+        <translation>Corte wolf</translation>
+    </message>
+    <message>
+        <source>Shag</source>
+        <translation>Corte shag</translation>
+    </message>
+    <message>
+        <source>Curly bob</source>
+        <translation>Bob rizado</translation>
+    </message>
+    <message>
+        <source>Curly top with fade</source>
+        <translation>Rizos con degradado</translation>
+    </message>
+    <message>
+        <source>High-top fade</source>
+        <translation>Copete alto con degradado</translation>
+    </message>
+    <message>
+        <source>Liberty spikes</source>
+        <translation>Púas punk</translation>
+    </message>
+    <message>
+        <source>Fade with line-up</source>
+        <translation>Degradado perfilado</translation>
+    </message>
+    <message>
+        <source>Stubble</source>
+        <translation>Barba de tres días</translation>
+    </message>
+    <message>
+        <source>Goatee</source>
+        <translation>Perilla</translation>
+    </message>
+    <message>
+        <source>Full beard</source>
+        <translation>Barba completa</translation>
+    </message>
+    <message>
+        <source>tied</source>
+        <translation>recogido</translation>
+    </message>
+    <message>
+        <source>beard</source>
+        <translation>barba</translation>
+    </message>
 </context>
 <context>
     <name>NumberText</name>

@@ -18,8 +18,12 @@ sim::GroupSettings settingsOf(float greatestLengthM, float stiffnessM, float vol
 
 std::vector<Style> builtInStyles()
 {
-    return {longStraight(), bob(),     ringlets(),        afro(),  twoPlaits(), mohawk(),
-            splitDye(),     buzzCut(), slickedUndercut(), quiff(), sidePart(),  frenchCrop()};
+    return {longStraight(),  bob(),         ringlets(),        afro(),    twoPlaits(), mohawk(),
+            splitDye(),      buzzCut(),     slickedUndercut(), quiff(),   sidePart(),  frenchCrop(),
+            curtainLayers(), beachWaves(),  jawBob(),          wolfCut(), shag(),      curlyBob(),
+            highPonytail(),  lowPonytail(), twinTails(),       halfUp(),  lowBun(),    fishtail(),
+            boxBraids(),     locs(),        cornrows(),        pixie(),   topKnot(),   curlyTop(),
+            highTop(),       lineUp(),      libertySpikes(),   stubble(), goatee(),    fullBeard()};
 }
 
 const model::HairGroup& GrownHair::of(const Style& style)

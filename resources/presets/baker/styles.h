@@ -33,6 +33,30 @@ struct Style
 [[nodiscard]] Style quiff();
 [[nodiscard]] Style sidePart();
 [[nodiscard]] Style frenchCrop();
+[[nodiscard]] Style highPonytail();
+[[nodiscard]] Style lowBun();
+[[nodiscard]] Style halfUp();
+[[nodiscard]] Style twinTails();
+[[nodiscard]] Style topKnot();
+[[nodiscard]] Style fishtail();
+[[nodiscard]] Style boxBraids();
+[[nodiscard]] Style cornrows();
+[[nodiscard]] Style locs();
+[[nodiscard]] Style pixie();
+[[nodiscard]] Style curtainLayers();
+[[nodiscard]] Style jawBob();
+[[nodiscard]] Style beachWaves();
+[[nodiscard]] Style wolfCut();
+[[nodiscard]] Style shag();
+[[nodiscard]] Style curlyBob();
+[[nodiscard]] Style curlyTop();
+[[nodiscard]] Style highTop();
+[[nodiscard]] Style libertySpikes();
+[[nodiscard]] Style lineUp();
+[[nodiscard]] Style lowPonytail();
+[[nodiscard]] Style stubble();
+[[nodiscard]] Style goatee();
+[[nodiscard]] Style fullBeard();
 
 [[nodiscard]] std::vector<Style> builtInStyles(); ///< In the strip's order.
 
