@@ -63,7 +63,7 @@ bool isForCommandLine(const QString& argument)
 }
 
 /// Qt takes names to be UTF-8, and would write to another file than the one that such bytes name.
-bool isUtf8(const char* argument)
+bool isUtf8([[maybe_unused]] const char* argument)
 {
 #ifdef Q_OS_UNIX
     return QByteArrayView(argument).isValidUtf8();
