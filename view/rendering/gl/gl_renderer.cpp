@@ -5,6 +5,7 @@
 #include "view/rendering/gl/gl_objects.h"
 #include "view/rendering/gl/hair_pass.h"
 #include "view/rendering/gl/head_layer.h"
+#include "view/rendering/gl/offscreen_context.h"
 #include "view/rendering/gl/ring_pass.h"
 #include "view/rendering/gl/skin_shade.h"
 #include "view/rendering/gl/state_guard.h"
@@ -97,6 +98,7 @@ GlRenderer::~GlRenderer() = default;
 
 tl::expected<std::unique_ptr<GlRenderer>, std::string> GlRenderer::create()
 {
+    adoptCurrentContext();
     if (epoxy_gl_version() < 43 || !epoxy_is_desktop_gl())
         return tl::unexpected("OpenGL 4.3 is needed; this driver has " +
                               std::string(reinterpret_cast<const char*>(glGetString(GL_VERSION))) + ".");

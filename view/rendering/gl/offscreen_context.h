@@ -26,4 +26,8 @@ protected:
     OffscreenContext() = default;
 };
 
+/// To be called on the thread of a context that somebody else made current, before the first call of OpenGL there. On
+/// Windows the functions of OpenGL are kept by thread; elsewhere nothing is done.
+void adoptCurrentContext();
+
 } // namespace hairpaint::rendering

@@ -115,6 +115,8 @@ tl::expected<std::unique_ptr<OffscreenContext>, std::string> OffscreenContext::c
     return tl::unexpected(std::string("EGL offers no OpenGL 4.3 context without a display."));
 }
 
+void adoptCurrentContext() {}
+
 } // namespace hairpaint::rendering
 
 #endif

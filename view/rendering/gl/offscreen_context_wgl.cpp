@@ -87,6 +87,13 @@ tl::expected<std::unique_ptr<OffscreenContext>, std::string> OffscreenContext::c
     return context;
 }
 
+void adoptCurrentContext()
+{
+    // epoxy only counts the first of a process; from the second on it makes the calling thread's table of functions.
+    epoxy_handle_external_wglMakeCurrent();
+    epoxy_handle_external_wglMakeCurrent();
+}
+
 } // namespace hairpaint::rendering
 
 #endif
