@@ -49,6 +49,16 @@
     </message>
 </context>
 <context>
+    <name>hairpaint::app::StyleFiles</name>
+    <message numerus="yes">
+        <source>%Ln styles added to yours</source>
+        <translation>
+            <numerusform>%Ln style added to yours</numerusform>
+            <numerusform>%Ln styles added to yours</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::HeadImportDialog</name>
     <message numerus="yes">
         <source>%Ln triangles. %1 cm is no usual height for a head, a bust or a body: check the unit and the axis.</source>

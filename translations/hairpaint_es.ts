@@ -2303,6 +2303,10 @@
         <source>The style is now &apos;%1&apos;, but its old file &apos;%2&apos; could not be removed; delete it by hand.</source>
         <translation>El estilo se llama ahora &apos;%1&apos;, pero no se pudo quitar su archivo anterior &apos;%2&apos;; bórralo a mano.</translation>
     </message>
+    <message>
+        <source>The folder &apos;%1&apos; could not be made; check that you may write there.</source>
+        <translation>No se pudo crear la carpeta «%1»; comprueba que puedes escribir ahí.</translation>
+    </message>
 </context>
 <context>
     <name>Light</name>
@@ -2771,12 +2775,18 @@
         <translation>Barba completa</translation>
     </message>
     <message>
+    </message>
+    <message>
         <source>tied</source>
         <translation>recogido</translation>
     </message>
     <message>
         <source>beard</source>
         <translation>barba</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>rostro</translation>
     </message>
 </context>
 <context>
@@ -3020,6 +3030,76 @@
     </message>
 </context>
 <context>
+    <name>StyleFolders</name>
+    <message>
+        <source>All</source>
+        <translation>Todos</translation>
+    </message>
+    <message>
+        <source>Favourites</source>
+        <translation>Favoritos</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Recientes</translation>
+    </message>
+    <message>
+        <source>Short</source>
+        <translation>Cortos</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Medios</translation>
+    </message>
+    <message>
+        <source>Long</source>
+        <translation>Largos</translation>
+    </message>
+    <message>
+        <source>Curly and coily</source>
+        <translation>Rizados y afro</translation>
+    </message>
+    <message>
+        <source>Tied</source>
+        <translation>Recogidos</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Rostro</translation>
+    </message>
+    <message>
+        <source>Mine</source>
+        <translation>Míos</translation>
+    </message>
+</context>
+<context>
+    <name>StyleOrders</name>
+    <message>
+        <source>Rename style…</source>
+        <translation>Cambiar el nombre…</translation>
+    </message>
+    <message>
+        <source>Tags…</source>
+        <translation>Etiquetas…</translation>
+    </message>
+    <message>
+        <source>Replace with the hair on the head</source>
+        <translation>Sustituir por el pelo de la cabeza</translation>
+    </message>
+    <message>
+        <source>New picture from this view</source>
+        <translation>Nueva imagen desde esta vista</translation>
+    </message>
+    <message>
+        <source>Export style…</source>
+        <translation>Exportar peinado…</translation>
+    </message>
+    <message>
+        <source>Delete style</source>
+        <translation>Eliminar peinado</translation>
+    </message>
+</context>
+<context>
     <name>StyleParts</name>
     <message>
         <source>All of it</source>
@@ -3052,6 +3132,14 @@
     <message>
         <source>Style &quot;%1&quot; (curl only)</source>
         <translation>Peinado «%1» (solo el rizo)</translation>
+    </message>
+    <message>
+        <source>Only its ties</source>
+        <translation>Solo los recogidos</translation>
+    </message>
+    <message>
+        <source>Style &quot;%1&quot; (ties only)</source>
+        <translation>Peinado «%1» (solo los recogidos)</translation>
     </message>
 </context>
 <context>
@@ -4302,6 +4390,18 @@
         <source>Take o&amp;ff what is chosen</source>
         <translation>Q&amp;uitar lo elegido</translation>
     </message>
+    <message>
+        <source>Fi&amp;nd a style</source>
+        <translation>Bu&amp;scar un peinado</translation>
+    </message>
+    <message>
+        <source>Import st&amp;yles…</source>
+        <translation>Importar p&amp;einados…</translation>
+    </message>
+    <message>
+        <source>E&amp;xport my styles…</source>
+        <translation>E&amp;xportar mis peinados…</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::HeadExchange</name>
@@ -4817,14 +4917,6 @@ Se ha perdido esto:</translation>
         <translation>Cambiando el nombre de %1</translation>
     </message>
     <message>
-        <source>Delete style</source>
-        <translation>Eliminar peinado</translation>
-    </message>
-    <message>
-        <source>Move &apos;%1&apos; to the trash?</source>
-        <translation>¿Quieres mover «%1» a la papelera?</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; could not be moved to the trash; delete it by hand.</source>
         <translation>«%1» no se pudo mover a la papelera; elimínalo a mano.</translation>
     </message>
@@ -4835,6 +4927,77 @@ Se ha perdido esto:</translation>
     <message>
         <source>The style &apos;%1&apos; was not renamed: cancelled</source>
         <translation>No se cambió el nombre del estilo &apos;%1&apos;: cancelado</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Etiquetas</translation>
+    </message>
+    <message>
+        <source>Words by which &apos;%1&apos; is found, with commas</source>
+        <translation>Palabras con las que se encuentra «%1», separadas por comas</translation>
+    </message>
+    <message>
+        <source>Writing the tags of %1</source>
+        <translation>Escribiendo las etiquetas de %1</translation>
+    </message>
+    <message>
+        <source>The tags of &apos;%1&apos; were not changed: cancelled</source>
+        <translation>No se cambiaron las etiquetas de «%1»: cancelado</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has other tags.</source>
+        <translation>«%1» tiene otras etiquetas.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is this hair now.</source>
+        <translation>«%1» es ahora este pelo.</translation>
+    </message>
+    <message>
+        <source>Drawing the style %1</source>
+        <translation>Dibujando el peinado %1</translation>
+    </message>
+    <message>
+        <source>The picture of &apos;%1&apos; was not changed: cancelled</source>
+        <translation>No se cambió la imagen de «%1»: cancelado</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has a new picture.</source>
+        <translation>«%1» tiene una imagen nueva.</translation>
+    </message>
+    <message>
+        <source>Export style</source>
+        <translation>Exportar peinado</translation>
+    </message>
+    <message>
+        <source>Styles (*.hairpreset)</source>
+        <translation>Peinados (*.hairpreset)</translation>
+    </message>
+    <message>
+        <source>Export my styles</source>
+        <translation>Exportar mis peinados</translation>
+    </message>
+    <message>
+        <source>Import styles</source>
+        <translation>Importar peinados</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln styles added to yours</source>
+        <translation>
+            <numerusform>%Ln peinado añadido a los tuyos</numerusform>
+            <numerusform>%Ln peinados añadidos a los tuyos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>You have these styles already</source>
+        <translation>Ya tienes estos peinados</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is in the trash.</source>
+        <translation>«%1» está en la papelera.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; could not be brought back; it is &apos;%2&apos; now.</source>
+        <translation>No se pudo recuperar «%1»; ahora es «%2».</translation>
     </message>
 </context>
 <context>
@@ -6583,10 +6746,55 @@ Se ha perdido esto:</translation>
     </message>
 </context>
 <context>
+    <name>hairpaint::view::StyleBar</name>
+    <message>
+        <source>Folders of styles</source>
+        <translation>Carpetas de peinados</translation>
+    </message>
+    <message>
+        <source>What is taken of a style</source>
+        <translation>Qué se toma de un peinado</translation>
+    </message>
+    <message>
+        <source>What pointing at a style shows and clicking takes; the rest of your hair stays</source>
+        <translation>Lo que se muestra al señalar un peinado y se toma al hacer clic; el resto de tu pelo se queda</translation>
+    </message>
+    <message>
+        <source>Whole style</source>
+        <translation>Peinado entero</translation>
+    </message>
+    <message>
+        <source>Find a style</source>
+        <translation>Buscar un peinado</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::StyleFitting</name>
     <message>
         <source>&apos;%1&apos; has no part for the hair of this head; click it to put all of it on.</source>
         <translation>«%1» no tiene nada para el pelo de esta cabeza; haz clic en él para aplicarlo entero.</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::StyleMenu</name>
+    <message>
+        <source>Shift+click</source>
+        <translation>Mayús+clic</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favorito</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::StyleNotice</name>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>
@@ -6621,6 +6829,13 @@ Se ha perdido esto:</translation>
     </message>
 </context>
 <context>
+    <name>hairpaint::view::StyleRow</name>
+    <message>
+        <source>Styles</source>
+        <translation>Peinados</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::StyleShelf</name>
     <message>
         <source>Reading %1</source>
@@ -6642,20 +6857,36 @@ Se ha perdido esto:</translation>
         <translation>Guarda este pelo como un peinado tuyo</translation>
     </message>
     <message>
-        <source>Delete style</source>
-        <translation>Eliminar peinado</translation>
-    </message>
-    <message>
-        <source>Rename style…</source>
-        <translation>Cambiar el nombre…</translation>
-    </message>
-    <message>
         <source>%1. Point to see it, click to keep it; Shift+click takes its colour alone</source>
         <translation>%1. Señálalo para verlo, haz clic para aplicarlo; con Mayús+clic tomas solo su color</translation>
     </message>
     <message>
-        <source>Shift+click</source>
-        <translation>Mayús+clic</translation>
+        <source>No style is found for &apos;%1&apos;.</source>
+        <translation>No se encuentra ningún peinado para «%1».</translation>
+    </message>
+    <message>
+        <source>Show all styles</source>
+        <translation>Mostrar todos los peinados</translation>
+    </message>
+    <message>
+        <source>No style in &apos;%1&apos; is found for &apos;%2&apos;.</source>
+        <translation>En «%1» no se encuentra ningún peinado para «%2».</translation>
+    </message>
+    <message>
+        <source>Search in all folders</source>
+        <translation>Buscar en todas las carpetas</translation>
+    </message>
+    <message>
+        <source>The star in a picture&apos;s corner brings a style here.</source>
+        <translation>La estrella en la esquina de una imagen trae aquí un peinado.</translation>
+    </message>
+    <message>
+        <source>Styles that you put on come here.</source>
+        <translation>Aquí llegan los peinados que te pones.</translation>
+    </message>
+    <message>
+        <source>There are no styles in this folder yet.</source>
+        <translation>Aún no hay peinados en esta carpeta.</translation>
     </message>
 </context>
 <context>
@@ -6665,12 +6896,32 @@ Se ha perdido esto:</translation>
         <translation>Cargando…</translation>
     </message>
     <message>
-        <source>Take a part of this style</source>
-        <translation>Tomar una parte de este peinado</translation>
-    </message>
-    <message>
         <source>Parts of %1</source>
         <translation>Partes de %1</translation>
+    </message>
+    <message>
+        <source>Take a part of this style, and more</source>
+        <translation>Tomar una parte de este peinado y más</translation>
+    </message>
+    <message>
+        <source>No favourite any more (%1)</source>
+        <translation>Quitar de favoritos (%1)</translation>
+    </message>
+    <message>
+        <source>A favourite (%1)</source>
+        <translation>Añadir a favoritos (%1)</translation>
+    </message>
+    <message>
+        <source>%1 is a favourite</source>
+        <translation>%1 es un favorito</translation>
+    </message>
+    <message>
+        <source>Make %1 a favourite</source>
+        <translation>Añadir %1 a favoritos</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favorito</translation>
     </message>
 </context>
 <context>

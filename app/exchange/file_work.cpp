@@ -28,6 +28,14 @@ QString FileWork::askOpenPath(const QString& title, const QString& filter)
     return path;
 }
 
+QStringList FileWork::askOpenPaths(const QString& title, const QString& filter)
+{
+    const QStringList paths = m_dialogs.askOpenPaths(title, m_settings.lastFolder(), filter + tr(";;All files (*)"));
+    if (!paths.isEmpty())
+        m_settings.setLastFolder(QFileInfo(paths.front()).absolutePath());
+    return paths;
+}
+
 QString FileWork::askFolder(const QString& title)
 {
     const QString folder = m_dialogs.askFolder(title, m_settings.lastFolder());

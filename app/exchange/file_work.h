@@ -23,6 +23,7 @@ public:
     /// `question.suggestedPath`: a name without folder and ending; see FileDialogs::askSavePath.
     [[nodiscard]] QString askSavePath(SaveQuestion question, QString* chosenFilter = nullptr);
     [[nodiscard]] QString askOpenPath(const QString& title, const QString& filter);
+    [[nodiscard]] QStringList askOpenPaths(const QString& title, const QString& filter);
     [[nodiscard]] QString askFolder(const QString& title);
 
     /// Reads the file `path`. None if it failed, which has been reported, or was cancelled.

@@ -84,6 +84,11 @@ QString FileDialogs::askOpenPath(const QString& title, const QString& folder, co
     return QFileDialog::getOpenFileName(&m_window, title, begin(folder), filter);
 }
 
+QStringList FileDialogs::askOpenPaths(const QString& title, const QString& folder, const QString& filter)
+{
+    return QFileDialog::getOpenFileNames(&m_window, title, begin(folder), filter);
+}
+
 QString FileDialogs::askFolder(const QString& title, const QString& folder)
 {
     return QFileDialog::getExistingDirectory(&m_window, title, begin(folder));

@@ -34,6 +34,7 @@ public:
     /// given, becomes the part of question.filter that is chosen.
     [[nodiscard]] QString askSavePath(const SaveQuestion& question, QString* filter = nullptr);
     [[nodiscard]] QString askOpenPath(const QString& title, const QString& folder, const QString& filter);
+    [[nodiscard]] QStringList askOpenPaths(const QString& title, const QString& folder, const QString& filter);
     [[nodiscard]] QString askFolder(const QString& title, const QString& folder);
 
 private:

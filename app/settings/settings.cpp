@@ -131,6 +131,21 @@ void Settings::setPictureChoice(const view::PictureChoice& choice)
                                     {QStringLiteral("samples"), choice.samples}});
 }
 
+view::StyleMarks Settings::styleMarks() const
+{
+    view::StyleMarks marks;
+    for (const QString& path : m_settings.value(QStringLiteral("styles/favourites")).toStringList())
+        marks.setFavourite(path, true);
+    marks.recent = m_settings.value(QStringLiteral("styles/recent")).toStringList().mid(0, marks.kMostRecent);
+    return marks;
+}
+
+void Settings::setStyleMarks(const view::StyleMarks& marks)
+{
+    m_settings.setValue(QStringLiteral("styles/favourites"), marks.favourites);
+    m_settings.setValue(QStringLiteral("styles/recent"), marks.recent);
+}
+
 std::optional<double> Settings::toolOption(const QString& key) const
 {
     bool isNumber = false;

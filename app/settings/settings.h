@@ -4,6 +4,7 @@
 #include "app/settings/settings_store.h"
 #include "view/dialogs/picture_dialog.h"
 #include "view/dialogs/preferences_dialog.h"
+#include "view/panels/style_list.h"
 
 #include <QByteArray>
 #include <QKeySequence>
@@ -44,6 +45,10 @@ public:
     /// How pictures are saved.
     [[nodiscard]] view::PictureChoice pictureChoice() const;
     void setPictureChoice(const view::PictureChoice& choice);
+
+    /// Favourites and what was put on last.
+    [[nodiscard]] view::StyleMarks styleMarks() const;
+    void setStyleMarks(const view::StyleMarks& marks);
 
     /// What a tool was set to (model::optionOf); none where it never was.
     [[nodiscard]] std::optional<double> toolOption(const QString& key) const;

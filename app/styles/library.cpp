@@ -6,13 +6,18 @@
 #include "model/files/project_file.h"
 #include "model/project/group_schema.h"
 #include "model/project/hair_types.h"
+#include "model/styles/style_folder.h"
 #include "model/values/names.h"
+#include "model/values/search_text.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
+
+#include <algorithm>
 
 namespace hairpaint::app {
 
@@ -131,6 +136,93 @@ model::Result<void> renameStyle(const QString& path, const QString& name, const 
                 "Library", "The style is now '%1', but its old file '%2' could not be removed; delete it by hand.")
                 .arg(name, path));
     return {};
+}
+
+model::Result<void> changeStyle(const QString& path, const std::function<void(model::Preset&)>& change,
+                                const model::Progress& progress)
+{
+    model::Result<model::Preset> preset = model::loadPreset(path);
+    if (!preset)
+        return tl::unexpected(preset.error());
+    change(*preset);
+    return model::savePreset(*preset, path, progress);
+}
+
+model::Result<bool> importStyle(const QString& path, const model::Progress& progress)
+{
+    model::Result<model::Preset> preset = model::loadPreset(path);
+    if (!preset)
+        return tl::unexpected(preset.error());
+    const QString content = styleContentName(path);
+    const QString wanted = preset->name;
+    for (qsizetype number = 2; QFile::exists(ownStylePath(preset->name)); ++number) {
+        if (styleContentName(ownStylePath(preset->name)) == content)
+            return false;
+        preset->name = model::numberedName(wanted, number);
+    }
+    if (!QDir().mkpath(ownPresetFolder()))
+        return model::failure(
+            QCoreApplication::translate("Library", "The folder '%1' could not be made; check that you may write there.")
+                .arg(ownPresetFolder()));
+    if (const model::Result<void> saved = model::savePreset(*preset, ownStylePath(preset->name), progress); !saved)
+        return tl::unexpected(saved.error());
+    return true;
+}
+
+model::Result<void> exportStyle(const QString& path, const QString& folder, const model::Progress& progress)
+{
+    const model::Result<model::Preset> preset = loadStyle(path);
+    if (!preset)
+        return tl::unexpected(preset.error());
+    const QString base = QFileInfo(ownStylePath(preset->name)).completeBaseName();
+    QString name = base;
+    const auto inFolder = [&folder](const QString& one) {
+        return QDir(folder).filePath(one + QStringLiteral(".hairpreset"));
+    };
+    for (int number = 2; QFile::exists(inFolder(name)); ++number)
+        name = QStringLiteral("%1-%2").arg(base).arg(number);
+    return model::savePreset(*preset, inFolder(name), progress);
+}
+
+namespace {
+
+/// Of the folders and of the built-in styles: what a tag may mean besides what it says.
+QStringList knownTags()
+{
+    QStringList tags;
+    for (const model::PresetEntry& entry : model::listPresets({}))
+        tags.append(entry.tags);
+    for (const model::StyleFolder& folder : model::styleFolders())
+        for (const char* tag : folder.tags)
+            tags.append(QLatin1StringView(tag));
+    tags.removeDuplicates();
+    return tags;
+}
+
+} // namespace
+
+QString shownTags(const QStringList& tags)
+{
+    QStringList shown;
+    for (const QString& tag : tags)
+        shown.append(model::shownName(tag));
+    return shown.join(QStringLiteral(", "));
+}
+
+QStringList tagsFrom(const QString& text)
+{
+    const QStringList known = knownTags();
+    QStringList tags;
+    for (const QString& part : text.split(QLatin1Char(','))) {
+        const QString tag = part.simplified();
+        const QString form = model::searchForm(tag);
+        const auto found = std::ranges::find_if(
+            known, [&form](const QString& one) { return model::searchForm(model::shownName(one)) == form; });
+        if (!tag.isEmpty())
+            tags.append(found != known.end() ? *found : tag);
+    }
+    tags.removeDuplicates();
+    return tags.mid(0, 32); // As many as a file may have.
 }
 
 } // namespace hairpaint::app

@@ -4,6 +4,9 @@
 #include "model/files/preset_file.h"
 
 #include <QString>
+#include <QStringList>
+
+#include <functional>
 
 namespace hairpaint::app {
 
@@ -35,5 +38,19 @@ namespace hairpaint::app {
                                               const model::Progress& progress = {});
 /// The path of the user's own style of that name.
 [[nodiscard]] QString ownStylePath(const QString& name);
+
+/// Reads a style of the user's own whole, lets `change` change it and writes it under the same path. Any thread.
+[[nodiscard]] model::Result<void> changeStyle(const QString& path, const std::function<void(model::Preset&)>& change,
+                                              const model::Progress& progress = {});
+/// Adds a file to the user's own styles; where one of its name is there already, under a name with a number. A file
+/// that is one of them already adds nothing. False where nothing was added. Any thread.
+[[nodiscard]] model::Result<bool> importStyle(const QString& path, const model::Progress& progress = {});
+/// Writes a style of the list into a folder, under a name that is free there. Any thread.
+[[nodiscard]] model::Result<void> exportStyle(const QString& path, const QString& folder,
+                                              const model::Progress& progress = {});
+
+/// Tags as people write them, with commas, in their language; those that the program knows become its own.
+[[nodiscard]] QString shownTags(const QStringList& tags);
+[[nodiscard]] QStringList tagsFrom(const QString& text);
 
 } // namespace hairpaint::app

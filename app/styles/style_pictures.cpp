@@ -53,16 +53,23 @@ void keep(const QImage& picture, const QString& path)
         folder.remove(old);
 }
 
-/// After two calm seconds.
+/// Two calm seconds, less the step that it began with; false where it is stopped.
+bool settle(SettledHair& hair, const model::Progress& progress)
+{
+    for (int step = 1; step < kSteps; ++step) {
+        if (progress && !progress(static_cast<double>(step) / kSteps))
+            return false;
+        hair.advance(kStepSeconds);
+    }
+    return true;
+}
+
 QImage settledPicture(model::Project project, PictureMaker& maker, const model::Progress& progress)
 {
     project.wind.enabled = false;
     SettledHair hair(project, kStepSeconds);
-    for (int step = 1; step < kSteps; ++step) {
-        if (progress && !progress(static_cast<double>(step) / kSteps))
-            return {};
-        hair.advance(kStepSeconds);
-    }
+    if (!settle(hair, progress))
+        return {};
     return stylePicture(project, hair.frame(), maker, progress);
 }
 
@@ -102,6 +109,24 @@ QImage stylePicture(const model::Preset& preset, PictureMaker& maker, const mode
         return {};
     model::applyPreset(project, *carried);
     return settledPicture(std::move(project), maker, progress);
+}
+
+QImage stylePictureFrom(const model::Preset& preset, model::Project project, const rendering::Camera& camera,
+                        const model::Progress& progress)
+{
+    const std::optional<model::Preset> carried = model::carriedPreset(preset, project.head, progress);
+    if (!carried)
+        return {};
+    project.groups.clear();
+    std::erase_if(project.worn, [](const model::Worn& one) { return one.group != 0; });
+    model::applyPreset(project, *carried);
+    project.wind.enabled = false;
+    SettledHair hair(project, kStepSeconds);
+    if (!settle(hair, progress))
+        return {};
+    PictureMaker maker;
+    const model::Result<QImage> picture = maker.take(project, hair.frame(), camera, kPictureSize * 2, progress);
+    return picture ? picture->scaled(kPictureSize, Qt::IgnoreAspectRatio, Qt::SmoothTransformation) : QImage();
 }
 
 QImage projectPicture(const model::Project& project, const model::Progress& progress)

@@ -4,6 +4,7 @@
 #include "app/background/jobs.h"
 #include "model/styles/preset.h"
 #include "sim/motion/strand_frame.h"
+#include "view/rendering/scene.h"
 
 #include <QImage>
 #include <QObject>
@@ -19,6 +20,9 @@ class PictureMaker;
 /// The style as it hangs on the head of new projects after two calm seconds. Null where `progress` stops it.
 [[nodiscard]] QImage stylePicture(const model::Preset& preset, PictureMaker& maker,
                                   const model::Progress& progress = {});
+/// The style on that project's head, seen by a camera, likewise after two calm seconds. Any thread.
+[[nodiscard]] QImage stylePictureFrom(const model::Preset& preset, model::Project project,
+                                      const rendering::Camera& camera, const model::Progress& progress = {});
 /// A project's hair at a moment, framed alike; null where nothing can be drawn.
 [[nodiscard]] QImage stylePicture(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
                                   PictureMaker& maker, const model::Progress& progress = {});

@@ -38,6 +38,7 @@
 #include <QMimeData>
 #include <QUndoStack>
 
+#include <algorithm>
 #include <utility>
 
 namespace hairpaint::app {
@@ -85,10 +86,11 @@ MainWindow::MainWindow(model::Project project, const QString& path, std::unique_
     connectSession();
     connectAreas();
     connectFiles();
-    auto* styles = new StyleStripController(m_workspace->styleStrip(), m_exchange.styles(), m_jobs);
+    auto* styles = new StyleStripController(m_workspace->styleStrip(), m_exchange.styles(), m_settings, m_jobs);
     view::StatusReadout& status = m_workspace->status();
     connect(styles, &StyleStripController::failed, &status,
             [&status](const QString& problem) { status.showMessage(problem, true); });
+    m_exchange.styles().setCamera([this] { return m_workspace->headView().pictureScene().camera; });
     connect(&m_workspace->styleStrip(), &view::StyleStrip::asking, m_workspace,
             [this] { m_workspace->setPanelsHidden(false); });
     styles->refresh();
@@ -136,7 +138,7 @@ void MainWindow::buildMenus()
              new MapMenu(tr("&Map"), m_actions, m_session, sidebar.layers(), m_jobs, bar),
              new ToolsMenu(tr("&Tools"), m_actions, editor, bar),
              new ViewMenu(tr("&View"), m_actions, *m_workspace, editor, m_preferences, m_exchange, bar),
-             new HairMenu(tr("H&air"), m_actions, m_session, head, sidebar, m_dialogs, m_exchange, m_jobs, bar),
+             new HairMenu(tr("H&air"), m_actions, m_session, *m_workspace, m_dialogs, m_exchange, m_jobs, bar),
              new HelpMenu(tr("&Help"), m_actions, m_dialogs, head, bar)})
         bar->addMenu(menu);
 }
@@ -328,8 +330,12 @@ void MainWindow::openFiles(const QStringList& paths)
     for (const QString& path : paths)
         if (fileKind(path) == FileKind::Image)
             images += path;
+    const bool areStyles =
+        std::ranges::all_of(paths, [](const QString& path) { return fileKind(path) == FileKind::Style; });
     if (images.size() > 1 && images.size() == paths.size())
         m_exchange.maps().importImages(images);
+    else if (paths.size() > 1 && areStyles)
+        m_exchange.styles().importStyles(paths);
     else if (!paths.isEmpty())
         openFile(paths.front());
 }

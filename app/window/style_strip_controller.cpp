@@ -15,14 +15,24 @@ struct StyleList
 
 } // namespace
 
-StyleStripController::StyleStripController(view::StyleStrip& strip, StyleFiles& styles, Jobs& jobs)
-    : QObject(&strip), m_strip(strip), m_jobs(jobs), m_pictures(jobs)
+StyleStripController::StyleStripController(view::StyleStrip& strip, StyleFiles& styles, Settings& settings, Jobs& jobs)
+    : QObject(&strip), m_strip(strip), m_settings(settings), m_jobs(jobs), m_pictures(jobs)
 {
+    strip.setMarks(settings.styleMarks());
     connect(&styles, &StyleFiles::changed, this, &StyleStripController::refresh);
     connect(&styles, &StyleFiles::wanted, &strip, &view::StyleStrip::putOn);
     connect(&strip, &view::StyleStrip::saveStyleRequested, &styles, &StyleFiles::save);
-    connect(&strip, &view::StyleStrip::renameStyleRequested, &styles, &StyleFiles::rename);
-    connect(&strip, &view::StyleStrip::deleteStyleRequested, &styles, &StyleFiles::remove);
+    connect(&strip, &view::StyleStrip::ordered, &styles, &StyleFiles::carryOut);
+    connect(&strip, &view::StyleStrip::undoWanted, &styles, &StyleFiles::undo);
+    connect(&strip, &view::StyleStrip::marksChanged, this,
+            [this](const view::StyleMarks& marks) { m_settings.setStyleMarks(marks); });
+    connect(&styles, &StyleFiles::undoOffered, &strip, &view::StyleStrip::offerUndo);
+    connect(&styles, &StyleFiles::renamed, this, [this](const QString& before, const QString& after) {
+        view::StyleMarks marks = m_settings.styleMarks();
+        marks.rename(before, after);
+        m_settings.setStyleMarks(marks);
+        m_strip.setMarks(marks);
+    });
     connect(&strip, &view::StyleStrip::pictureWanted, &m_pictures, &StylePictures::make);
     connect(&m_pictures, &StylePictures::made, &strip, &view::StyleStrip::setPicture);
     connect(&strip, &view::StyleStrip::failed, this, &StyleStripController::failed);

@@ -10,13 +10,13 @@
 
 namespace hairpaint::app {
 
-/// The library is read in the background, anew whenever `styles` changes it. Belongs to the strip; `styles` and the
-/// jobs outlive both. GUI thread.
+/// The library is read in the background, anew whenever `styles` changes it. Belongs to the strip; `styles`,
+/// settings and the jobs outlive both. GUI thread.
 class StyleStripController : public QObject
 {
     Q_OBJECT
 public:
-    StyleStripController(view::StyleStrip& strip, StyleFiles& styles, Jobs& jobs);
+    StyleStripController(view::StyleStrip& strip, StyleFiles& styles, Settings& settings, Jobs& jobs);
     void refresh();
 
 Q_SIGNALS:
@@ -24,6 +24,7 @@ Q_SIGNALS:
 
 private:
     view::StyleStrip& m_strip;
+    Settings& m_settings;
     Jobs& m_jobs;
     StylePictures m_pictures;
     int m_newest = 0; ///< Number of the list that was asked for last.

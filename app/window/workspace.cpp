@@ -115,6 +115,13 @@ void Workspace::setPanelsHidden(bool hidden)
     Q_EMIT arranged();
 }
 
+void Workspace::findStyle()
+{
+    if (m_panelsHidden)
+        setPanelsHidden(false);
+    m_styleStrip->startSearch();
+}
+
 void Workspace::setTheme(const view::Theme& theme)
 {
     m_paintView->setTheme(theme);

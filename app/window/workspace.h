@@ -55,6 +55,7 @@ public:
     void swapAreas();
     [[nodiscard]] bool panelsHidden() const { return m_panelsHidden; }
     void setPanelsHidden(bool hidden);
+    void findStyle(); ///< Gives the strip's search the keys; hidden panels come back.
     void setTheme(const view::Theme& theme);
 
 Q_SIGNALS:

@@ -22,11 +22,11 @@ constexpr QLatin1StringView kScalp("Scalp"); ///< A HairKind's name.
 constexpr std::array kColourMaps{MapKind::Colour, MapKind::TipColour, MapKind::TipStart};
 constexpr std::array kColourSettings{"material.colour_variation", "variation.grey", "material.tip_from",
                                      "material.tip_over"};
-constexpr std::array kCutMaps{MapKind::Density, MapKind::Length};
-constexpr std::array kCutSettings{"greatest_length_m", "shortest_length_m", "greatest_density_per_m2",
-                                  "variation.length",  "material.taper_m",  "hairline.soften_m",
-                                  "hairline.baby",     "hairline.uneven",   "variation.most_shorter_m",
-                                  "variation.patches"};
+constexpr std::array kCutMaps{MapKind::Density, MapKind::Length, MapKind::Direction};
+constexpr std::array kCutSettings{"greatest_length_m", "shortest_length_m",   "greatest_density_per_m2",
+                                  "variation.length",  "material.taper_m",    "hairline.soften_m",
+                                  "hairline.baby",     "hairline.uneven",     "variation.most_shorter_m",
+                                  "variation.patches", "variation.parting_m", "variation.part_gap_m"};
 constexpr std::array kCurlMaps{MapKind::Curl, MapKind::CurlSize, MapKind::Clump, MapKind::Frizz};
 constexpr std::array kCurlSettings{"greatest_curl_radius_m",
                                    "turns_mode",
@@ -52,6 +52,10 @@ constexpr std::array kCurlSettings{"greatest_curl_radius_m",
                                    "material.section_axes",
                                    "curl.straight_m"};
 
+constexpr std::array kTieMaps{MapKind::Braid, MapKind::Accessory};
+constexpr std::array kTieSettings{"braid_spacing_m", "braid_radius_m", "braid_tightness",
+                                  "braid_taper",     "braid_tie",      "braid_knot"};
+
 constexpr std::array kParts{
     StylePartSpec{.part = StylePart::All,
                   .title = QT_TRANSLATE_NOOP("StyleParts", "All of it"),
@@ -71,6 +75,12 @@ constexpr std::array kParts{
                   .step = QT_TRANSLATE_NOOP("StyleParts", "Style \"%1\" (curl only)"),
                   .maps = kCurlMaps,
                   .settings = kCurlSettings},
+    StylePartSpec{.part = StylePart::Ties,
+                  .title = QT_TRANSLATE_NOOP("StyleParts", "Only its ties"),
+                  .step = QT_TRANSLATE_NOOP("StyleParts", "Style \"%1\" (ties only)"),
+                  .maps = kTieMaps,
+                  .settings = kTieSettings,
+                  .worn = true},
 };
 
 /// A group of a style, and the project's own of that name.
@@ -240,8 +250,15 @@ void applyPreset(Project& project, const Preset& preset, const StyleUse& use)
         if (one.own && std::ranges::find(use.kept, project.groups[*one.own].id) != use.kept.end())
             continue;
         if (use.part != StylePart::All) {
-            if (one.own)
-                putOnPart(project, style, project.groups[*one.own], stylePart(use.part), preset.name);
+            if (one.own) {
+                const StylePartSpec& part = stylePart(use.part);
+                HairGroup& own = project.groups[*one.own];
+                putOnPart(project, style, own, part, preset.name);
+                if (part.worn) {
+                    std::erase_if(project.worn, [&own](const Worn& thing) { return thing.group == own.id; });
+                    wearWith(project, worn, style.id, own.id);
+                }
+            }
             continue;
         }
         HairGroup group;

@@ -14,8 +14,9 @@ enum class StylePart : std::uint8_t
 {
     All,
     Colour,
-    Cut, ///< Length, and where and how densely hair grows.
-    Curl
+    Cut, ///< Length, where and how densely hair grows, and which way it is combed.
+    Curl,
+    Ties ///< What is worn in the hair, patches and braids.
 };
 
 /// A row of the table of parts. A map or a setting that no row names comes with the whole style alone.
@@ -26,6 +27,7 @@ struct StylePartSpec
     const char* step;  ///< What undo says; %1 is the style's name.
     std::span<const MapKind> maps = {};
     std::span<const char* const> settings = {}; ///< Keys of groupSchema().
+    bool worn = false;                          ///< With what is worn in the group's hair.
     [[nodiscard]] QString titleText() const;    ///< Translated.
 };
 [[nodiscard]] std::span<const StylePartSpec> styleParts(); ///< In the order of StylePart.

@@ -64,6 +64,8 @@ constexpr std::array kNames = {
     QT_TRANSLATE_NOOP("Names", "curly"),
     QT_TRANSLATE_NOOP("Names", "coily"),
     QT_TRANSLATE_NOOP("Names", "braided"),
+    QT_TRANSLATE_NOOP("Names", "tied"),
+    QT_TRANSLATE_NOOP("Names", "face"),
     QT_TRANSLATE_NOOP("Names", "gelled"),
     QT_TRANSLATE_NOOP("Names", "coloured"),
     QT_TRANSLATE_NOOP("Names", "tied"),

@@ -5,6 +5,7 @@
 #include "tests/support/patience.h"
 #include "tests/view/panel_fixture.h"
 #include "view/panels/style_question.h"
+#include "view/panels/style_row.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
 

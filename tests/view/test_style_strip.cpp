@@ -259,7 +259,7 @@ private Q_SLOTS:
         QCoreApplication::processEvents();
         QVERIFY(!f.pause().isActive());
         QCOMPARE(changed.count(), 0);
-        f.strip.endScrolling();
+        f.strip.findChild<StyleRow*>()->endScrolling();
         QVERIFY(f.pause().isActive()); // It rests there now.
         f.turnWheel(-120);
         QVERIFY(!f.pause().isActive());

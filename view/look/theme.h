@@ -41,7 +41,7 @@ inline constexpr int kTarget = 36;
 inline constexpr int kToolBar = 44;
 inline constexpr int kOptionBar = 40;
 inline constexpr int kSidebar = 280;
-inline constexpr int kStyleStrip = 132;
+inline constexpr int kStyleStrip = 164;
 inline constexpr int kStatus = 24;
 } // namespace metrics
 

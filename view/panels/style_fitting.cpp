@@ -131,6 +131,7 @@ void StyleFitting::commit(const PresetPtr& preset, const model::StyleUse& use)
     const auto density = m_state.document().resolvedNow(m_state.target().group(), model::MapKind::Density);
     if (density != nullptr && density->uniformValue() == sim::Texel{})
         m_state.target().setMap(model::MapKind::Density);
+    Q_EMIT kept();
 }
 
 } // namespace hairpaint::view

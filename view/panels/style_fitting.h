@@ -32,6 +32,7 @@ public:
 
 Q_SIGNALS:
     void failed(const QString& message); ///< The style has nothing for this head.
+    void kept();                         ///< A style was put on.
     void asking();                       ///< The question must be seen now.
 
 private:

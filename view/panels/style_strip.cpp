@@ -3,36 +3,27 @@
 
 #include "model/values/names.h"
 #include "view/look/theme.h"
+#include "view/panels/style_bar.h"
 #include "view/panels/style_fitting.h"
+#include "view/panels/style_notice.h"
 #include "view/panels/style_question.h"
+#include "view/panels/style_row.h"
 #include "view/panels/style_tile.h"
 
 #include <QApplication>
-#include <QCursor>
-#include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QMenu>
-#include <QScrollArea>
-#include <QScrollBar>
-#include <QWheelEvent>
+#include <QVBoxLayout>
 
-#include <algorithm>
 #include <utility>
 
 namespace hairpaint::view {
 
+using model::StyleFolder;
 using model::StylePart;
 
 namespace {
 
 constexpr int kHoverMs = 120;
-constexpr int kWheelMs = 350;
-constexpr int kTremblePx = 3; ///< A hand on the wheel moves the mouse a little.
-
-StylePart partOf(Qt::KeyboardModifiers modifiers)
-{
-    return modifiers.testFlag(Qt::ShiftModifier) ? StylePart::Colour : StylePart::All;
-}
 
 } // namespace
 
@@ -43,40 +34,35 @@ StyleStrip::StyleStrip(EditorState& state, Loader loader, Start start, QWidget* 
     setAttribute(Qt::WA_StyledBackground);
     setAccessibleName(tr("Styles"));
     setFixedHeight(metrics::kStyleStrip);
-    auto* layout = new QHBoxLayout(this);
+    auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 1, 0, 0);
-    m_scroll = new QScrollArea(this);
-    m_scroll->setWidgetResizable(true);
-    m_scroll->setFocusPolicy(Qt::NoFocus);
-    m_scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setFrameShape(QFrame::NoFrame);
-    auto* content = new QWidget(m_scroll);
-    content->setObjectName(QStringLiteral("panel"));
-    m_row = new QHBoxLayout(content);
-    m_row->setContentsMargins(metrics::kGap, 0, metrics::kGap, 0);
-    m_row->setSpacing(metrics::kGrid);
-    m_row->setAlignment(Qt::AlignVCenter);
-    m_scroll->setWidget(content);
-    m_scroll->viewport()->installEventFilter(this);
-    m_scroll->horizontalScrollBar()->setAccessibleName(tr("Styles"));
-    connect(m_scroll->horizontalScrollBar(), &QScrollBar::valueChanged, this, &StyleStrip::contentMoved);
-    layout->addWidget(m_scroll);
+    layout->setSpacing(0);
+    m_row = new StyleRow(this); // First: the keys begin at the pictures.
+    m_bar = new StyleBar(this);
+    layout->addWidget(m_bar);
+    layout->addWidget(m_row, 1);
+    followRow();
+    m_notice = new StyleNotice(this);
+    connect(m_notice, &StyleNotice::undoChosen, this, &StyleStrip::undoWanted);
     m_question = new StyleQuestion(this);
     m_fitting = new StyleFitting(state, *m_question, this);
     connect(m_fitting, &StyleFitting::asking, this, &StyleStrip::asking);
     connect(m_fitting, &StyleFitting::failed, this, &StyleStrip::failed);
+    connect(m_fitting, &StyleFitting::kept, this, [this] {
+        if (m_putOn.isEmpty())
+            return;
+        m_list.marks().addRecent(m_putOn);
+        Q_EMIT marksChanged(m_list.marks());
+    });
     m_pause.setSingleShot(true);
     m_pause.setInterval(kHoverMs);
     connect(&m_pause, &QTimer::timeout, this, [this] {
         if (m_pointed)
             m_shelf.want(QString(m_pointed->path));
     });
-    m_wheelPause.setSingleShot(true);
-    m_wheelPause.setInterval(kWheelMs);
-    connect(&m_wheelPause, &QTimer::timeout, this, &StyleStrip::endScrolling);
     connect(&m_shelf, &StyleShelf::came, this, &StyleStrip::arrived);
     connect(&m_shelf, &StyleShelf::busyChanged, this, [this](const QString& path, bool busy) {
-        if (StyleTile* shown = tile(path))
+        if (StyleTile* shown = m_row->tile(path))
             shown->setBusy(busy);
     });
     connect(&m_shelf, &StyleShelf::failed, this, [this](const QString& path, const QString& problem) {
@@ -87,118 +73,166 @@ StyleStrip::StyleStrip(EditorState& state, Loader loader, Start start, QWidget* 
     setEntries({});
 }
 
-void StyleStrip::setEntries(const std::vector<model::PresetEntry>& entries)
+void StyleStrip::followRow()
 {
-    endPreview();
-    const auto* focused = qobject_cast<const StyleTile*>(QApplication::focusWidget());
-    const bool hadFocus = focused != nullptr && isAncestorOf(focused);
-    const QString focusedPath = hadFocus ? focused->path() : QString();
-    while (QLayoutItem* item = m_row->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
-    m_tiles.clear();
-    m_shelf.forget();
-    for (const model::PresetEntry& entry : entries)
-        addTile(new StyleTile(entry.path, model::shownName(entry.name), entry.folder == QLatin1String("own"), this),
-                entry.picture);
-    auto* save = new StyleTile({}, tr("Save style"), false, this);
-    save->setToolTip(tr("Save this hair as a style of your own"));
-    connect(save, &StyleTile::chosen, this, &StyleStrip::saveStyleRequested);
-    m_row->addWidget(save);
-    m_row->addStretch(1);
-    // The keys stay where they were: with the tile that has gone they went to whatever comes next in the window.
-    if (hadFocus) {
-        StyleTile* known = tile(focusedPath);
-        StyleTile* wanted = known != nullptr ? known : save;
-        wanted->show(); // The layout would do so later.
-        wanted->setFocus(Qt::OtherFocusReason);
-    }
-}
-
-void StyleStrip::addTile(StyleTile* tile, const QImage& picture)
-{
-    tile->setPicture(picture);
-    tile->setToolTip(tr("%1. Point to see it, click to keep it; Shift+click takes its colour alone").arg(tile->text()));
-    m_row->addWidget(tile);
-    m_tiles.push_back(tile);
-    followTile(tile);
-    // Queued, so that whoever fills the strip can connect first.
-    if (picture.isNull())
-        QMetaObject::invokeMethod(
-            this, [this, path = tile->path()] { Q_EMIT pictureWanted(path); }, Qt::QueuedConnection);
-}
-
-void StyleStrip::followTile(StyleTile* tile)
-{
-    const QString path = tile->path();
-    const auto rests = [this] {
-        return m_restingAt && (QCursor::pos() - *m_restingAt).manhattanLength() <= kTremblePx;
-    };
-    connect(tile, &StyleTile::entered, this, [this, path, rests] {
-        if (!rests())
+    connect(m_row, &StyleRow::pointedAt, this, qOverload<const QString&>(&StyleStrip::pointAt));
+    connect(m_row, &StyleRow::rested, this, [this](const QString& path) {
+        if (!m_fitting->shows() || !m_pointed || m_pointed->path != path)
             pointAt(path);
     });
-    connect(tile, &StyleTile::pointerMoved, this, [this, path, rests] {
-        if (m_restingAt && !rests())
-            pointAt(path);
-    });
-    connect(tile, &StyleTile::left, this, [this, path] {
+    connect(m_row, &StyleRow::pointerLeft, this, [this](const QString& path) {
         if (m_pointed && m_pointed->path == path)
             endPreview();
     });
-    connect(tile, &StyleTile::chosen, this,
-            [this, path](Qt::KeyboardModifiers modifiers) { commitWish({.path = path, .part = partOf(modifiers)}); });
-    connect(tile, &StyleTile::menuWanted, this, [this, tile](const QPoint& position) { showMenu(tile, position); });
-    tile->installEventFilter(this);
+    connect(m_row, &StyleRow::moved, this, &StyleStrip::contentMoved);
+    connect(m_row, &StyleRow::chosen, this, [this](const QString& path, Qt::KeyboardModifiers modifiers) {
+        if (path.isEmpty())
+            Q_EMIT saveStyleRequested();
+        else
+            commitWish({.path = path, .part = partOf(modifiers)});
+    });
+    connect(m_row, &StyleRow::menuWanted, this, &StyleStrip::showMenu);
+    connect(m_row, &StyleRow::favouriteWanted, this, &StyleStrip::setFavourite);
+    connect(m_row, &StyleRow::ordered, this, &StyleStrip::ordered);
+    connect(m_row, &StyleRow::upWanted, m_bar, &StyleBar::takeKeys);
+    connect(m_row, &StyleRow::wayChosen, this, [this] {
+        m_bar->widen();
+        m_row->takeKeys();
+    });
+    connect(m_bar, &StyleBar::downWanted, m_row, &StyleRow::takeKeys);
+    connect(m_bar, &StyleBar::filterChanged, this, &StyleStrip::filter);
+}
+
+void StyleStrip::setMarks(const StyleMarks& marks)
+{
+    m_list.marks() = marks;
+    for (StyleTile* tile : m_row->tiles())
+        tile->setFavourite(marks.favourites.contains(tile->path()));
+    filter();
+}
+
+void StyleStrip::setFavourite(const QString& path, bool favourite)
+{
+    m_list.marks().setFavourite(path, favourite);
+    if (StyleTile* tile = m_row->tile(path))
+        tile->setFavourite(favourite); // Among the favourites it stays until they are shown anew: to be marked again.
+    Q_EMIT marksChanged(m_list.marks());
+}
+
+StylePart StyleStrip::partOf(Qt::KeyboardModifiers modifiers) const
+{
+    return modifiers.testFlag(Qt::ShiftModifier) ? StylePart::Colour : m_bar->part();
+}
+
+void StyleStrip::setEntries(const std::vector<model::PresetEntry>& entries)
+{
+    endPreview();
+    m_list.setEntries(entries);
+    m_shelf.forget();
+    std::vector<StyleTile*> tiles;
+    for (const model::PresetEntry& entry : entries)
+        tiles.push_back(makeTile(entry));
+    auto* save = new StyleTile({}, tr("Save style"), false, this);
+    save->setToolTip(tr("Save this hair as a style of your own"));
+    tiles.push_back(save);
+    m_row->setTiles(tiles);
+    filter();
+}
+
+StyleTile* StyleStrip::makeTile(const model::PresetEntry& entry)
+{
+    auto* tile = new StyleTile(entry.path, model::shownName(entry.name), StyleList::isOwn(entry), this);
+    tile->setPicture(entry.picture);
+    tile->setFavourite(m_list.marks().favourites.contains(entry.path));
+    tile->setToolTip(tr("%1. Point to see it, click to keep it; Shift+click takes its colour alone").arg(tile->text()));
+    // Queued, so that whoever fills the strip can connect first.
+    if (entry.picture.isNull())
+        QMetaObject::invokeMethod(
+            this, [this, path = entry.path] { Q_EMIT pictureWanted(path); }, Qt::QueuedConnection);
+    return tile;
+}
+
+void StyleStrip::filter()
+{
+    endPreview();
+    const StyleFolder& folder = m_bar->folder();
+    std::vector<QString> shown = m_list.shown(folder, m_bar->words());
+    const bool isOfUser = folder.kind == StyleFolder::Kind::All || folder.kind == StyleFolder::Kind::Own;
+    if (isOfUser && m_bar->words().isEmpty())
+        shown.push_back({}); // "Save style"
+    if (shown.empty())
+        showSign();
+    else
+        m_row->showOnly(shown);
+}
+
+void StyleStrip::showSign()
+{
+    const StyleFolder& folder = m_bar->folder();
+    const QString words = m_bar->words();
+    if (!words.isEmpty() && folder.kind == StyleFolder::Kind::All)
+        m_row->showSign(tr("No style is found for '%1'.").arg(words), tr("Show all styles"));
+    else if (!words.isEmpty())
+        m_row->showSign(tr("No style in '%1' is found for '%2'.").arg(folder.titleText(), words),
+                        tr("Search in all folders"));
+    else if (folder.kind == StyleFolder::Kind::Favourites)
+        m_row->showSign(tr("The star in a picture's corner brings a style here."), tr("Show all styles"));
+    else if (folder.kind == StyleFolder::Kind::Recent)
+        m_row->showSign(tr("Styles that you put on come here."), tr("Show all styles"));
+    else
+        m_row->showSign(tr("There are no styles in this folder yet."), tr("Show all styles"));
 }
 
 void StyleStrip::showMenu(StyleTile* tile, const QPoint& globalPosition)
 {
     const QString& path = tile->path();
-    auto* menu = new QMenu(this);
+    auto* menu = new StyleMenu(tile->own(), tile->isFavourite(), this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    for (const model::StylePartSpec& part : model::styleParts()) {
-        const Wish wish{.path = path, .part = part.part};
-        QAction* action = menu->addAction(part.titleText());
-        if (part.part == StylePart::Colour)
-            action->setText(action->text() + QLatin1Char('\t') + tr("Shift+click"));
-        connect(action, &QAction::hovered, this, [this, wish] { pointAt(wish); });
-        connect(action, &QAction::triggered, this, [this, wish] { commitWish(wish); });
-    }
+    connect(menu, &StyleMenu::partPointedAt, this,
+            [this, path](StylePart part) { pointAt({.path = path, .part = part}); });
+    connect(menu, &StyleMenu::partChosen, this,
+            [this, path](StylePart part) { commitWish({.path = path, .part = part}); });
+    connect(menu, &StyleMenu::favouriteWanted, this, [this, path](bool favourite) { setFavourite(path, favourite); });
+    connect(menu, &StyleMenu::ordered, this, [this, path](StyleOrder order) { Q_EMIT ordered(path, order); });
     connect(menu, &QMenu::aboutToHide, this, &StyleStrip::endPreview);
-    if (tile->own()) {
-        menu->addSeparator();
-        menu->addAction(tr("Rename style…"), this, [this, path] { Q_EMIT renameStyleRequested(path); });
-        menu->addAction(tr("Delete style"), this, [this, path] { Q_EMIT deleteStyleRequested(path); });
-    }
     menu->popup(globalPosition);
 }
 
 std::vector<QString> StyleStrip::paths() const
 {
     std::vector<QString> all;
-    for (const StyleTile* tile : m_tiles)
-        all.push_back(tile->path());
+    for (const model::PresetEntry& entry : m_list.entries())
+        all.push_back(entry.path);
     return all;
 }
 
-StyleTile* StyleStrip::tile(const QString& path) const
+std::vector<QString> StyleStrip::shownPaths() const
 {
-    const auto found = std::ranges::find(m_tiles, path, &StyleTile::path);
-    return found != m_tiles.end() ? *found : nullptr;
+    std::vector<QString> shown = m_row->shownPaths();
+    std::erase(shown, QString());
+    return shown;
+}
+
+void StyleStrip::startSearch()
+{
+    m_bar->startSearch();
 }
 
 void StyleStrip::setPicture(const QString& path, const QImage& picture)
 {
-    if (StyleTile* found = tile(path))
+    if (StyleTile* found = m_row->tile(path))
         found->setPicture(picture);
+}
+
+void StyleStrip::offerUndo(const QString& sentence)
+{
+    if (m_notice->isAncestorOf(QApplication::focusWidget()))
+        m_row->takeKeys();
+    m_notice->tell(sentence);
 }
 
 void StyleStrip::pointAt(const QString& path)
 {
-    m_restingAt.reset();
-    m_wheelPause.stop();
     pointAt(Wish{.path = path, .part = partOf(QGuiApplication::keyboardModifiers())});
 }
 
@@ -207,44 +241,17 @@ void StyleStrip::pointAt(const Wish& wish)
     stopPointing();
     qApp->installEventFilter(this); // Shift goes to whatever has the focus.
     m_pointed = wish;
-    if (StyleTile* pointed = tile(wish.path))
+    if (StyleTile* pointed = m_row->tile(wish.path))
         pointed->setShown(true);
     m_pause.start();
 }
 
 void StyleStrip::contentMoved()
 {
-    m_restingAt = QCursor::pos();
     m_pause.stop();
-    const StyleTile* pointed = m_pointed ? tile(m_pointed->path) : nullptr;
+    const StyleTile* pointed = m_pointed ? m_row->tile(m_pointed->path) : nullptr;
     if (pointed != nullptr && !pointed->isUnderPointer())
         endPreview();
-    for (StyleTile* one : m_tiles)
-        one->refresh();
-}
-
-void StyleStrip::wheel(const QWheelEvent& event)
-{
-    const QPoint angle = event.angleDelta();
-    QScrollBar* bar = m_scroll->horizontalScrollBar();
-    contentMoved(); // First: moving pictures are entered and left at once.
-    bar->setValue(bar->value() - (angle.x() != 0 ? angle.x() : angle.y()));
-    if (event.phase() == Qt::ScrollEnd)
-        endScrolling();
-    else
-        m_wheelPause.start();
-}
-
-void StyleStrip::endScrolling()
-{
-    m_wheelPause.stop();
-    QWidget* under = childAt(mapFromGlobal(QCursor::pos()));
-    while (under != nullptr && qobject_cast<StyleTile*>(under) == nullptr)
-        under = under == this ? nullptr : under->parentWidget();
-    const auto* rested = qobject_cast<StyleTile*>(under);
-    const bool isShown = m_fitting->shows() && m_pointed && rested != nullptr && m_pointed->path == rested->path();
-    if (rested != nullptr && !rested->path().isEmpty() && !isShown)
-        pointAt(rested->path());
 }
 
 void StyleStrip::commitWish(const Wish& wish)
@@ -256,14 +263,17 @@ void StyleStrip::commitWish(const Wish& wish)
 
 void StyleStrip::arrived(const QString& path, const PresetPtr& preset)
 {
-    if (m_toCommit && m_toCommit->path == path)
-        apply(preset, std::exchange(m_toCommit, std::nullopt)->part);
-    else if (m_pointed && m_pointed->path == path)
+    if (m_toCommit && m_toCommit->path == path) {
+        m_putOn = path;
+        apply(preset, m_toCommit->part);
+    } else if (m_pointed && m_pointed->path == path) {
         m_fitting->show(preset, m_pointed->part);
+    }
 }
 
 void StyleStrip::putOn(const PresetPtr& preset)
 {
+    m_putOn.clear();
     apply(preset, StylePart::All);
 }
 
@@ -281,7 +291,7 @@ void StyleStrip::stopPointing()
     if (!pointed)
         return;
     qApp->removeEventFilter(this);
-    if (StyleTile* left = tile(pointed->path))
+    if (StyleTile* left = m_row->tile(pointed->path))
         left->setShown(false);
 }
 
@@ -293,16 +303,9 @@ void StyleStrip::endPreview()
 
 bool StyleStrip::eventFilter(QObject* watched, QEvent* event)
 {
-    if (watched == m_scroll->viewport() && event->type() == QEvent::Wheel) {
-        wheel(*static_cast<QWheelEvent*>(event));
-        return true;
-    }
-    if (event->type() == QEvent::FocusIn) {
-        if (auto* focused = qobject_cast<StyleTile*>(watched))
-            m_scroll->ensureWidgetVisible(focused);
-    } else if (m_pointed && (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) &&
-               static_cast<QKeyEvent*>(event)->key() == Qt::Key_Shift && QApplication::activePopupWidget() == nullptr) {
-        const StylePart part = event->type() == QEvent::KeyPress ? StylePart::Colour : StylePart::All;
+    if (m_pointed && (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Shift && QApplication::activePopupWidget() == nullptr) {
+        const StylePart part = event->type() == QEvent::KeyPress ? StylePart::Colour : m_bar->part();
         if (part != m_pointed->part)
             pointAt({.path = m_pointed->path, .part = part});
     }
@@ -312,6 +315,7 @@ bool StyleStrip::eventFilter(QObject* watched, QEvent* event)
 void StyleStrip::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    m_notice->settle();
     m_question->setGeometry(0, height() - m_question->height(), width(), m_question->height());
 }
 

@@ -1,9 +1,10 @@
 // Hairstyles side by side: pointing at one shows it on the head, clicking keeps it.
 #pragma once
 
-#include "model/files/preset_file.h"
 #include "model/styles/style_use.h"
 #include "view/editing/editor_state.h"
+#include "view/panels/style_list.h"
+#include "view/panels/style_menu.h"
 #include "view/panels/style_shelf.h"
 
 #include <QPoint>
@@ -12,16 +13,17 @@
 
 #include <optional>
 
-class QHBoxLayout;
-class QScrollArea;
-
 namespace hairpaint::view {
 
+class StyleBar;
 class StyleFitting;
+class StyleNotice;
 class StyleQuestion;
+class StyleRow;
 class StyleTile;
 
-/// 132 px high. Files are read in the background. Built-in ones come first, then the user's own, then "Save style".
+/// 164 px high: folders and a search over pictures. Files are read in the background. Built-in ones come first, then
+/// the user's own, then "Save style".
 /// A click replaces the groups that a style is about; where it is not evidently about one, the strip asks. What is
 /// shown while a style is pointed at is what a click would do.
 class StyleStrip : public QWidget
@@ -34,24 +36,26 @@ public:
     /// `loader` is called wherever `start` runs it.
     StyleStrip(EditorState& state, Loader loader, Start start, QWidget* parent = nullptr);
 
+    void setMarks(const StyleMarks& marks);
     void setEntries(const std::vector<model::PresetEntry>& entries);
-    [[nodiscard]] std::vector<QString> paths() const;
+    [[nodiscard]] std::vector<QString> paths() const;      ///< All of them.
+    [[nodiscard]] std::vector<QString> shownPaths() const; ///< Those of the folder that are found.
+    void startSearch();                                    ///< Gives the search the keys.
 
 public Q_SLOTS:
     void setPicture(const QString& path, const QImage& picture);
+    void offerUndo(const QString& sentence); ///< Over the foot of the strip; an empty sentence takes it away.
     /// As if it were one of the strip's and clicked; it is on this head already.
     void putOn(const hairpaint::view::PresetPtr& preset);
-    /// A style that the wheel brought under the resting pointer is pointed at from now on; a pause of the wheel calls
-    /// it, and touch pads that tell of the end.
-    void endScrolling();
 
 Q_SIGNALS:
     void saveStyleRequested();
-    void renameStyleRequested(const QString& path); ///< Of the user's own ones, from the context menu.
-    void deleteStyleRequested(const QString& path);
-    void pictureWanted(const QString& path); ///< For each entry that has none.
-    void failed(const QString& message);     ///< A style could not be read, or does not fit.
-    void asking();                           ///< The strip must be seen now.
+    void undoWanted(); ///< Of what offerUndo() tells.
+    void ordered(const QString& path, hairpaint::view::StyleOrder order);
+    void marksChanged(const hairpaint::view::StyleMarks& marks); ///< By the user.
+    void pictureWanted(const QString& path);                     ///< For each entry that has none.
+    void failed(const QString& message);                         ///< A style could not be read, or does not fit.
+    void asking();                                               ///< The strip must be seen now.
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -65,14 +69,16 @@ private:
         QString path;
         model::StylePart part = model::StylePart::All;
     };
-    void addTile(StyleTile* tile, const QImage& picture);
-    void followTile(StyleTile* tile);
+    [[nodiscard]] StyleTile* makeTile(const model::PresetEntry& entry);
+    void followRow();
+    void filter();
+    void showSign();
     void showMenu(StyleTile* tile, const QPoint& globalPosition);
-    [[nodiscard]] StyleTile* tile(const QString& path) const;
     void pointAt(const QString& path);
     void pointAt(const Wish& wish);
     void contentMoved();
-    void wheel(const class QWheelEvent& event);
+    [[nodiscard]] model::StylePart partOf(Qt::KeyboardModifiers modifiers) const;
+    void setFavourite(const QString& path, bool favourite);
     void commitWish(const Wish& wish);
     void arrived(const QString& path, const PresetPtr& preset);
     void apply(const PresetPtr& preset, model::StylePart part);
@@ -81,15 +87,15 @@ private:
 
     EditorState& m_state;
     StyleShelf m_shelf;
-    QScrollArea* m_scroll = nullptr;
-    QHBoxLayout* m_row = nullptr;
+    StyleList m_list;
+    StyleRow* m_row = nullptr;
+    StyleBar* m_bar = nullptr;
+    StyleNotice* m_notice = nullptr;
     StyleQuestion* m_question = nullptr;
     StyleFitting* m_fitting = nullptr;
-    std::vector<StyleTile*> m_tiles;
-    QTimer m_pause{this};              ///< Between pointing at a style and showing it.
-    QTimer m_wheelPause{this};         ///< Between the wheel's last turn and its end.
-    std::optional<QPoint> m_restingAt; ///< The pointer, when pictures last moved below it.
+    QTimer m_pause{this}; ///< Between pointing at a style and showing it.
     std::optional<Wish> m_pointed, m_toCommit;
+    QString m_putOn; ///< The path of what was put on last; none: it is none of the strip's.
 };
 
 } // namespace hairpaint::view

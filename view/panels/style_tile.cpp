@@ -12,6 +12,7 @@
 #include <QPainterPath>
 #include <QToolButton>
 
+#include <algorithm>
 #include <utility>
 
 namespace hairpaint::view {
@@ -34,17 +35,40 @@ StyleTile::StyleTile(const QString& path, const QString& name, bool own, QWidget
     connect(this, &QAbstractButton::clicked, this, [this] { Q_EMIT chosen(std::exchange(m_modifiers, {})); });
     if (m_path.isEmpty())
         return;
-    m_menu = new QToolButton(this);
+    m_star = addCornerButton(QStringLiteral("star"), 4);
+    m_star->setObjectName(QStringLiteral("styleStar"));
+    connect(m_star, &QToolButton::clicked, this, [this] { Q_EMIT favouriteWanted(!m_favourite); });
+    setFavourite(false);
+    m_menu = addCornerButton(QStringLiteral("chevron-down"), kPicture - kMenu - 2);
     m_menu->setObjectName(QStringLiteral("styleMenu"));
-    m_menu->setIcon(view::icon(QStringLiteral("chevron-down")));
-    m_menu->setIconSize(QSize(kMenu - 6, kMenu - 6));
-    m_menu->setFocusPolicy(Qt::NoFocus); // By key there is the context menu's.
-    m_menu->setToolTip(tr("Take a part of this style"));
+    m_menu->setToolTip(tr("Take a part of this style, and more"));
     m_menu->setAccessibleName(tr("Parts of %1").arg(name));
-    m_menu->setGeometry(kPicture - kMenu - 2, 6, kMenu, kMenu);
-    m_menu->hide();
     connect(m_menu, &QToolButton::clicked, this,
             [this] { Q_EMIT menuWanted(m_menu->mapToGlobal(QPoint(0, m_menu->height()))); });
+}
+
+QToolButton* StyleTile::addCornerButton(const QString& icon, int left)
+{
+    auto* button = new QToolButton(this);
+    button->setIcon(view::icon(icon));
+    button->setIconSize(QSize(kMenu - 6, kMenu - 6));
+    button->setFocusPolicy(Qt::NoFocus); // By key there are the context menu's and the tile's own.
+    button->setGeometry(left, 6, kMenu, kMenu);
+    button->hide();
+    return button;
+}
+
+void StyleTile::setFavourite(bool favourite)
+{
+    m_favourite = favourite;
+    if (m_star == nullptr)
+        return;
+    m_star->setIcon(view::icon(favourite ? QStringLiteral("star-on") : QStringLiteral("star")));
+    const QString key = QKeySequence(kFavouriteKey).toString(QKeySequence::NativeText);
+    m_star->setToolTip((favourite ? tr("No favourite any more (%1)") : tr("A favourite (%1)")).arg(key));
+    m_star->setAccessibleName(favourite ? tr("%1 is a favourite").arg(text()) : tr("Make %1 a favourite").arg(text()));
+    setAccessibleDescription(favourite ? tr("Favourite") : QString());
+    refresh();
 }
 
 void StyleTile::setPicture(const QImage& picture)
@@ -81,6 +105,8 @@ void StyleTile::refresh()
 {
     if (m_menu != nullptr)
         m_menu->setVisible(isMarked());
+    if (m_star != nullptr)
+        m_star->setVisible(m_favourite || isMarked());
     update();
 }
 
@@ -96,8 +122,34 @@ void StyleTile::mouseReleaseEvent(QMouseEvent* event)
     QAbstractButton::mouseReleaseEvent(event);
 }
 
+bool StyleTile::takesKey(const QKeyEvent& event) const
+{
+    return !m_path.isEmpty() &&
+           (event.keyCombination() == kFavouriteKey ||
+            std::ranges::find(styleOrders(), event.keyCombination(), &StyleOrderSpec::key) != styleOrders().end());
+}
+
+bool StyleTile::event(QEvent* event)
+{
+    // Else Delete would clear what is painted, and F2 would hide an area.
+    if (event->type() == QEvent::ShortcutOverride && takesKey(*static_cast<QKeyEvent*>(event))) {
+        event->accept();
+        return true;
+    }
+    return QAbstractButton::event(event);
+}
+
 void StyleTile::keyPressEvent(QKeyEvent* event)
 {
+    if (takesKey(*event)) {
+        const QKeyCombination key = event->keyCombination();
+        if (key == kFavouriteKey)
+            return Q_EMIT favouriteWanted(!m_favourite);
+        const auto spec = std::ranges::find(styleOrders(), key, &StyleOrderSpec::key);
+        if (m_own || !spec->ofOwn)
+            Q_EMIT ordered(spec->order);
+        return;
+    }
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
         Q_EMIT chosen(event->modifiers() & ~Qt::KeypadModifier);
     else

@@ -1,6 +1,8 @@
 // One style of the strip: its picture and name.
 #pragma once
 
+#include "view/panels/style_menu.h"
+
 #include <QAbstractButton>
 #include <QImage>
 
@@ -19,6 +21,8 @@ public:
     void setPicture(const QImage& picture);
     [[nodiscard]] bool hasPicture() const { return !m_picture.isNull(); }
     void setBusy(bool busy);
+    void setFavourite(bool favourite); ///< A star in the picture's corner.
+    [[nodiscard]] bool isFavourite() const { return m_favourite; }
     void setShown(bool shown); ///< On the head, to be looked at.
     /// Now; Qt tells only of a pointer that moves, not of a tile that does.
     [[nodiscard]] bool isUnderPointer() const;
@@ -33,8 +37,11 @@ Q_SIGNALS:
     void pointerMoved();
     void chosen(Qt::KeyboardModifiers modifiers); ///< By mouse or key.
     void menuWanted(const QPoint& globalPosition);
+    void favouriteWanted(bool favourite);            ///< By the star or its key.
+    void ordered(hairpaint::view::StyleOrder order); ///< By key.
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -48,13 +55,17 @@ protected:
 
 private:
     [[nodiscard]] bool isMarked() const;
+    [[nodiscard]] bool takesKey(const QKeyEvent& event) const; ///< It is the favourites' or an order's.
+    [[nodiscard]] QToolButton* addCornerButton(const QString& icon, int left);
 
     QToolButton* m_menu = nullptr; ///< In the picture's corner, while the tile is pointed at or has the focus.
+    QToolButton* m_star = nullptr; ///< In the other corner; of a favourite always.
     Qt::KeyboardModifiers m_modifiers;
     QString m_path;
     bool m_own;
     bool m_busy = false;
     bool m_shown = false;
+    bool m_favourite = false;
     QImage m_picture;
 };
 

@@ -5,10 +5,12 @@
 
 namespace hairpaint::app {
 
-HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, view::HeadView& head,
-                   view::Sidebar& sidebar, WindowDialogs& dialogs, Exchange& exchange, Jobs& jobs, QWidget* parent)
+HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, Workspace& workspace,
+                   WindowDialogs& dialogs, Exchange& exchange, Jobs& jobs, QWidget* parent)
     : QMenu(title, parent), m_faceHair(session, jobs, *parent->window()), m_holdHair(session, exchange.hair(), jobs)
 {
+    view::HeadView& head = workspace.headView();
+    view::Sidebar& sidebar = workspace.sidebar();
     sidebar.hair().setGrow([&jobs](const model::HairKind& kind, const std::shared_ptr<const model::Head>& head) {
         return growHair(jobs, kind, head);
     });
@@ -43,7 +45,20 @@ HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, v
                   .run = [&sidebar] { sidebar.hair().removeGroup(); },
                   .enabled = [&session] { return session.document().committed().groups.size() > 1; }}});
     addSeparator();
-    actions.add(*this, {{"hair.saveStyle", tr("&Save style…"), {}, [&exchange] { exchange.styles().save(); }}});
+    actions.add(
+        *this,
+        {{"hair.findStyle",
+          tr("Fi&nd a style"),
+          {QKeySequence::Find},
+          [&workspace] { workspace.findStyle(); },
+          "search"},
+         {"hair.saveStyle", tr("&Save style…"), {}, [&exchange] { exchange.styles().save(); }},
+         {"hair.importStyles", tr("Import st&yles…"), {}, [&exchange] { exchange.styles().importStyles(); }, "import"},
+         {"hair.exportStyles",
+          tr("E&xport my styles…"),
+          {},
+          [&exchange] { exchange.styles().exportOwn(); },
+          "export"}});
 }
 
 void HairMenu::addWeather(ActionSet& actions, Session& session, view::HeadView& head, WindowDialogs& dialogs)

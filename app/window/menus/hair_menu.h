@@ -6,6 +6,7 @@
 #include "app/window/action_set.h"
 #include "app/window/hold_hair.h"
 #include "app/window/window_dialogs.h"
+#include "app/window/workspace.h"
 #include "view/head_area/head_view.h"
 #include "view/panels/sidebar.h"
 
@@ -18,8 +19,8 @@ class HairMenu : public QMenu
 {
     Q_OBJECT
 public:
-    HairMenu(const QString& title, ActionSet& actions, Session& session, view::HeadView& head, view::Sidebar& sidebar,
-             WindowDialogs& dialogs, Exchange& exchange, Jobs& jobs, QWidget* parent);
+    HairMenu(const QString& title, ActionSet& actions, Session& session, Workspace& workspace, WindowDialogs& dialogs,
+             Exchange& exchange, Jobs& jobs, QWidget* parent);
 
 private:
     void addWeather(ActionSet& actions, Session& session, view::HeadView& head, WindowDialogs& dialogs);

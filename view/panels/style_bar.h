@@ -1,0 +1,43 @@
+// What stands over the pictures of styles: folders, what a click takes, and a search.
+#pragma once
+
+#include "model/styles/style_folder.h"
+#include "model/styles/style_use.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLineEdit;
+class QTabBar;
+
+namespace hairpaint::view {
+
+/// A tab a folder, in the order of model::styleFolders(). In the search Down or Return goes on to the pictures, Esc
+/// empties it. GUI thread.
+class StyleBar : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit StyleBar(QWidget* parent);
+
+    [[nodiscard]] const model::StyleFolder& folder() const;
+    [[nodiscard]] QString words() const;         ///< Searched for; empty: all.
+    [[nodiscard]] model::StylePart part() const; ///< What a click or Return on a picture takes.
+    void widen();                                ///< The same words in all folders; there, no words.
+    void startSearch();                          ///< Gives the search the keys.
+    void takeKeys();                             ///< Gives the folders the keys.
+
+Q_SIGNALS:
+    void filterChanged();
+    void downWanted(); ///< By the key, to the pictures.
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QTabBar* m_folders = nullptr;
+    QComboBox* m_part = nullptr;
+    QLineEdit* m_search = nullptr;
+};
+
+} // namespace hairpaint::view
