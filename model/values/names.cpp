@@ -68,7 +68,6 @@ constexpr std::array kNames = {
     QT_TRANSLATE_NOOP("Names", "face"),
     QT_TRANSLATE_NOOP("Names", "gelled"),
     QT_TRANSLATE_NOOP("Names", "coloured"),
-    QT_TRANSLATE_NOOP("Names", "tied"),
     QT_TRANSLATE_NOOP("Names", "beard"),
     // Folders of the library
     QT_TRANSLATE_NOOP("Names", "built-in"),

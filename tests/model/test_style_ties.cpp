@@ -17,11 +17,6 @@ class TestStyleTies : public QObject
 {
     Q_OBJECT
 private:
-    [[nodiscard]] static const model::Preset& style(const char* name)
-    {
-        const auto& all = test::builtInStyles();
-        return *std::ranges::find(all, QLatin1StringView(name), &model::Preset::name);
-    }
     /// Things in the hair, not the shapes of the head.
     [[nodiscard]] static std::ptrdiff_t wornInHair(const model::Project& project)
     {
@@ -35,9 +30,11 @@ private:
 private Q_SLOTS:
     void ties_and_braids_come_alone_and_go_again()
     {
-        model::Preset plaits = style("Two plaits");
+        const model::Preset* committed = test::builtInStyle(QStringLiteral("Two plaits"));
+        const model::Preset* straight = test::builtInStyle(QStringLiteral("Long straight"));
+        QVERIFY(committed != nullptr && straight != nullptr);
+        model::Preset plaits = *committed;
         plaits.worn = {model::Worn{.id = 900, .kind = model::WornKind::Ponytail, .group = plaits.groups.front().id}};
-        const model::Preset& straight = style("Long straight");
         const model::Project before = test::wearing(QStringLiteral("Long straight"), 1000);
         model::Project project = before;
         model::applyPreset(project, plaits, {.part = model::StylePart::Ties});
@@ -46,7 +43,7 @@ private Q_SLOTS:
         for (const MapKind kind : {MapKind::Density, MapKind::Length, MapKind::Colour, MapKind::Curl})
             QVERIFY2(shown(project, kind) == shown(before, kind), model::mapSpec(kind).id);
         QCOMPARE(project.groups.front().settings.greatestLengthM, before.groups.front().settings.greatestLengthM);
-        model::applyPreset(project, straight, {.part = model::StylePart::Ties});
+        model::applyPreset(project, *straight, {.part = model::StylePart::Ties});
         QCOMPARE(wornInHair(project), std::ptrdiff_t{0});
         QVERIFY(shown(project, MapKind::Braid) == shown(before, MapKind::Braid));
         // Of another part nothing that is worn is taken.

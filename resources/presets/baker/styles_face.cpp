@@ -26,7 +26,7 @@ Style stubble()
 {
     Style style{.id = "stubble",
                 .name = "Stubble",
-                .tags = {QStringLiteral("beard"), QStringLiteral("short")},
+                .tags = {QStringLiteral("face"), QStringLiteral("beard")},
                 .settings = beardSettings(0.02F),
                 .record =
                     [](Recording& user) {
@@ -43,7 +43,7 @@ Style fullBeard()
 {
     Style style{.id = "full-beard",
                 .name = "Full beard",
-                .tags = {QStringLiteral("beard"), QStringLiteral("medium")},
+                .tags = {QStringLiteral("face"), QStringLiteral("beard")},
                 .settings = beardSettings(0.08F),
                 .record =
                     [](Recording& user) {
@@ -67,7 +67,7 @@ Style goatee()
 {
     Style style{.id = "goatee",
                 .name = "Goatee",
-                .tags = {QStringLiteral("beard"), QStringLiteral("short")},
+                .tags = {QStringLiteral("face"), QStringLiteral("beard")},
                 .settings = beardSettings(0.05F),
                 .record =
                     [](Recording& user) {
