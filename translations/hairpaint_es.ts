@@ -4945,12 +4945,12 @@ Se ha perdido esto:</translation>
         <translation>No se cambiaron las etiquetas de «%1»: cancelado</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; has other tags.</source>
-        <translation>«%1» tiene otras etiquetas.</translation>
+        <source>&apos;%1&apos; has other tags</source>
+        <translation>«%1» tiene otras etiquetas</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is this hair now.</source>
-        <translation>«%1» es ahora este pelo.</translation>
+        <source>&apos;%1&apos; is this hair now</source>
+        <translation>«%1» es ahora este pelo</translation>
     </message>
     <message>
         <source>Drawing the style %1</source>
@@ -4961,8 +4961,8 @@ Se ha perdido esto:</translation>
         <translation>No se cambió la imagen de «%1»: cancelado</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; has a new picture.</source>
-        <translation>«%1» tiene una imagen nueva.</translation>
+        <source>&apos;%1&apos; has a new picture</source>
+        <translation>«%1» tiene una imagen nueva</translation>
     </message>
     <message>
         <source>Export style</source>
@@ -4992,8 +4992,8 @@ Se ha perdido esto:</translation>
         <translation>Ya tienes estos peinados</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is in the trash.</source>
-        <translation>«%1» está en la papelera.</translation>
+        <source>&apos;%1&apos; is in the trash</source>
+        <translation>«%1» está en la papelera</translation>
     </message>
     <message>
         <source>&apos;%1&apos; could not be brought back; it is &apos;%2&apos; now.</source>
@@ -6861,16 +6861,16 @@ Se ha perdido esto:</translation>
         <translation>%1. Señálalo para verlo, haz clic para aplicarlo; con Mayús+clic tomas solo su color</translation>
     </message>
     <message>
-        <source>No style is found for &apos;%1&apos;.</source>
-        <translation>No se encuentra ningún peinado para «%1».</translation>
+        <source>No style is found for &apos;%1&apos;</source>
+        <translation>No se encuentra ningún peinado para «%1»</translation>
     </message>
     <message>
         <source>Show all styles</source>
         <translation>Mostrar todos los peinados</translation>
     </message>
     <message>
-        <source>No style in &apos;%1&apos; is found for &apos;%2&apos;.</source>
-        <translation>En «%1» no se encuentra ningún peinado para «%2».</translation>
+        <source>No style in &apos;%1&apos; is found for &apos;%2&apos;</source>
+        <translation>En «%1» no se encuentra ningún peinado para «%2»</translation>
     </message>
     <message>
         <source>Search in all folders</source>

@@ -112,7 +112,7 @@ void StyleFiles::tag(const QString& path)
     changeFile(path,
                {.text = tr("Writing the tags of %1").arg(name),
                 .whenCancelled = tr("The tags of '%1' were not changed: cancelled").arg(name)},
-               tr("'%1' has other tags.").arg(name),
+               tr("'%1' has other tags").arg(name),
                [tags](model::Preset& preset, const model::Progress& /*progress*/) { preset.tags = tags; });
 }
 
@@ -124,7 +124,7 @@ void StyleFiles::replace(const QString& path)
     changeFile(path,
                {.text = tr("Saving style %1").arg(name),
                 .whenCancelled = tr("The style '%1' was not saved: cancelled").arg(name)},
-               tr("'%1' is this hair now.").arg(name),
+               tr("'%1' is this hair now").arg(name),
                [project](model::Preset& preset, const model::Progress& /*progress*/) {
                    model::Preset replaced = model::presetFrom(project, preset.name);
                    replaced.tags = preset.tags;
@@ -139,7 +139,7 @@ void StyleFiles::takePicture(const QString& path)
     changeFile(path,
                {.text = tr("Drawing the style %1").arg(name),
                 .whenCancelled = tr("The picture of '%1' was not changed: cancelled").arg(name)},
-               tr("'%1' has a new picture.").arg(name),
+               tr("'%1' has a new picture").arg(name),
                [project, camera = m_camera()](model::Preset& preset, const model::Progress& progress) {
                    if (QImage picture = stylePictureFrom(preset, project, camera, progress); !picture.isNull())
                        preset.picture = std::move(picture);
@@ -242,9 +242,9 @@ void StyleFiles::remove(const QString& path)
     if (!QFile::moveToTrash(path, &kept.at))
         return m_files.complain(tr("'%1' could not be moved to the trash; delete it by hand.").arg(path));
     if (kept.at.isEmpty()) // This system does not tell where it lies.
-        m_files.tell(tr("'%1' is in the trash.").arg(name));
+        m_files.tell(tr("'%1' is in the trash").arg(name));
     else
-        offerUndo(kept, tr("'%1' is in the trash.").arg(name));
+        offerUndo(kept, tr("'%1' is in the trash").arg(name));
     Q_EMIT changed();
 }
 

@@ -19,7 +19,7 @@ using model::StyleFolder;
 
 namespace {
 
-constexpr int kSearch = 128;      ///< Width of the field,
+constexpr int kSearch = 152;      ///< Width of the field,
 constexpr int kLeastSearch = 104; ///< where there is little room.
 
 } // namespace

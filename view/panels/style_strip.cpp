@@ -171,9 +171,9 @@ void StyleStrip::showSign()
     const StyleFolder& folder = m_bar->folder();
     const QString words = m_bar->words();
     if (!words.isEmpty() && folder.kind == StyleFolder::Kind::All)
-        m_row->showSign(tr("No style is found for '%1'.").arg(words), tr("Show all styles"));
+        m_row->showSign(tr("No style is found for '%1'").arg(words), tr("Show all styles"));
     else if (!words.isEmpty())
-        m_row->showSign(tr("No style in '%1' is found for '%2'.").arg(folder.titleText(), words),
+        m_row->showSign(tr("No style in '%1' is found for '%2'").arg(folder.titleText(), words),
                         tr("Search in all folders"));
     else if (folder.kind == StyleFolder::Kind::Favourites)
         m_row->showSign(tr("The star in a picture's corner brings a style here."), tr("Show all styles"));
