@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace hairpaint::presets {
 
@@ -52,6 +53,16 @@ float overHeadM(float heightM)
 }
 
 } // namespace
+
+std::vector<float> evenly(float from, float to, float step)
+{
+    const int steps = static_cast<int>(std::abs(to - from) / step);
+    std::vector<float> all;
+    all.reserve(static_cast<std::size_t>(steps) + 1);
+    for (int i = 0; i <= steps; ++i)
+        all.push_back(from + (to < from ? -step : step) * static_cast<float>(i));
+    return all;
+}
 
 Recording::Points aroundTop(const Recording& user)
 {
@@ -175,8 +186,8 @@ void cutFringe(Recording& user, const Fringe& fringe)
     const auto forwardM = [](float leftM, float backM) {
         return kHairlineM - kBack * leftM - 4.0F * leftM * leftM - backM;
     };
-    for (float backM = fringe.depthM + kDeeperM; backM > -kEaseM; backM -= kStepM)
-        for (float leftM = 0.0F; leftM < fringe.halfM; leftM += kStepM) {
+    for (const float backM : evenly(fringe.depthM + kDeeperM, -kEaseM, kStepM))
+        for (const float leftM : evenly(0.0F, fringe.halfM, kStepM)) {
             // At its sides hair falls more steeply, and sooner.
             const float side = leftM / fringe.halfM;
             const float lengthM =
@@ -187,9 +198,9 @@ void cutFringe(Recording& user, const Fringe& fringe)
             user.brush(MapKind::Length, user.length(lengthM), {.sizeM = 0.014F, .hardness = 0.5F}, spot);
         }
     // Less far to all sides than it is cut, or long hair beside it would hang into the face.
-    for (float leftM = 0.0F; leftM <= fringe.halfM - kEaseM; leftM += kStepM) {
+    for (const float leftM : evenly(0.0F, fringe.halfM - kEaseM, kStepM)) {
         Recording::Points lane{user.above(0.8F * leftM, forwardM(0.8F * leftM, fringe.depthM))};
-        for (float backM = fringe.depthM - kStepM; backM > -kEaseM; backM -= kStepM)
+        for (const float backM : evenly(fringe.depthM - kStepM, -kEaseM, kStepM))
             lane.push_back(user.above(leftM, forwardM(leftM, backM)));
         user.comb(fringe.flatness, {.sizeM = 0.016F, .hardness = 0.8F}, lane);
     }

@@ -3,6 +3,8 @@
 
 #include "recording.h"
 
+#include <vector>
+
 namespace hairpaint::presets {
 
 /// Of the braid map's palette.
@@ -13,6 +15,9 @@ inline constexpr int kCornrow = 7;
 /// Of the accessory map's.
 inline constexpr int kPonytail = 1;
 inline constexpr int kBun = 2;
+
+/// From a value toward another, a step apart.
+[[nodiscard]] std::vector<float> evenly(float from, float to, float step);
 
 /// All around the head along its ridge, from the front over its left back to the front.
 [[nodiscard]] Recording::Points aroundTop(const Recording& user);

@@ -17,8 +17,8 @@ void shapeBox(Recording& user)
     constexpr float kLowestM = 0.060F;
     constexpr float kClippedM = 0.007F; // Clippers were there already.
     constexpr float kStepM = 0.009F;
-    for (float leftM = 0.0F; leftM < 0.076F; leftM += kStepM)
-        for (float forwardM = -0.095F; forwardM < 0.085F; forwardM += kStepM) {
+    for (const float leftM : evenly(0.0F, 0.076F, kStepM))
+        for (const float forwardM : evenly(-0.095F, 0.085F, kStepM)) {
             const sim::SurfacePoint point = user.above(leftM, forwardM);
             if (point.positionHd.y < kLowestM)
                 continue;
