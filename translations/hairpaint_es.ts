@@ -2775,6 +2775,8 @@
         <translation>Barba completa</translation>
     </message>
     <message>
+        <source></source>
+        <translation></translation>
     </message>
     <message>
         <source>tied</source>
