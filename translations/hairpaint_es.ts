@@ -2775,8 +2775,8 @@
         <translation>Barba completa</translation>
     </message>
     <message>
-        <source></source>
-        <translation></translation>
+        <source>Low ponytail</source>
+        <translation>Coleta baja</translation>
     </message>
     <message>
         <source>tied</source>

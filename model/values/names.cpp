@@ -33,6 +33,7 @@ constexpr std::array kNames = {
     QT_TRANSLATE_NOOP("Names", "Side part"),
     QT_TRANSLATE_NOOP("Names", "French crop"),
     QT_TRANSLATE_NOOP("Names", "High ponytail"),
+    QT_TRANSLATE_NOOP("Names", "Low ponytail"),
     QT_TRANSLATE_NOOP("Names", "Low bun"),
     QT_TRANSLATE_NOOP("Names", "Half-up with bow"),
     QT_TRANSLATE_NOOP("Names", "Twin tails"),

@@ -21,7 +21,8 @@ const QStringList kOfSeveralSources{QStringLiteral("app/cli/command.h"),
                                     QStringLiteral("model/files/helper_confinement.h"),
                                     QStringLiteral("model/heads/built_in_heads.h"),
                                     QStringLiteral("model/tools/tool_list.h"),
-                                    QStringLiteral("view/look/icon_drawing.h")};
+                                    QStringLiteral("view/look/icon_drawing.h"),
+                                    QStringLiteral("view/rendering/gl/offscreen_context.h")};
 
 /// Of the four floors, by path, those whose names end so.
 QHash<QString, QString> textsOf(const QString& ending)

@@ -38,6 +38,12 @@ StyleBar::StyleBar(QWidget* parent) : QWidget(parent)
     m_folders->setFont(themeFont(TextRole::Label));
     for (const StyleFolder& folder : model::styleFolders())
         m_folders->addTab(folder.titleText());
+    m_folderBox = new QComboBox(this);
+    m_folderBox->setObjectName(QStringLiteral("styleFolderBox"));
+    m_folderBox->setAccessibleName(tr("Folders of styles"));
+    for (const StyleFolder& folder : model::styleFolders())
+        m_folderBox->addItem(folder.titleText());
+    m_folderBox->hide();
     m_part = new QComboBox(this);
     m_part->setObjectName(QStringLiteral("stylePart"));
     m_part->setAccessibleName(tr("What is taken of a style"));
@@ -53,10 +59,13 @@ StyleBar::StyleBar(QWidget* parent) : QWidget(parent)
     m_search->setMinimumWidth(kLeastSearch);
     m_search->setMaximumWidth(kSearch);
     row->addWidget(m_folders, 1);
+    row->addWidget(m_folderBox);
     row->addWidget(m_part);
     row->addWidget(m_search);
     for (QWidget* one : std::initializer_list<QWidget*>{m_folders, m_search})
         one->installEventFilter(this);
+    connect(m_folders, &QTabBar::currentChanged, m_folderBox, &QComboBox::setCurrentIndex);
+    connect(m_folderBox, &QComboBox::currentIndexChanged, m_folders, &QTabBar::setCurrentIndex);
     connect(m_folders, &QTabBar::currentChanged, this, &StyleBar::filterChanged);
     connect(m_search, &QLineEdit::textChanged, this, &StyleBar::filterChanged);
     connect(m_part, &QComboBox::currentIndexChanged, this, [this](int index) {
@@ -96,7 +105,17 @@ void StyleBar::startSearch()
 
 void StyleBar::takeKeys()
 {
-    m_folders->setFocus(Qt::ShortcutFocusReason);
+    QWidget* const shown = m_folders->isHidden() ? static_cast<QWidget*>(m_folderBox) : m_folders;
+    shown->setFocus(Qt::ShortcutFocusReason);
+}
+
+void StyleBar::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    const int room = width() - 4 * metrics::kGap - m_part->sizeHint().width() - kLeastSearch;
+    const bool isRoomy = m_folders->sizeHint().width() <= room;
+    m_folders->setVisible(isRoomy);
+    m_folderBox->setVisible(!isRoomy);
 }
 
 bool StyleBar::eventFilter(QObject* watched, QEvent* event)

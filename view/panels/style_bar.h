@@ -12,8 +12,8 @@ class QTabBar;
 
 namespace hairpaint::view {
 
-/// A tab a folder, in the order of model::styleFolders(). In the search Down or Return goes on to the pictures, Esc
-/// empties it. GUI thread.
+/// A tab a folder, or a box of them where tabs have no room, in the order of model::styleFolders(). In the search Down
+/// or Return goes on to the pictures, Esc empties it. GUI thread.
 class StyleBar : public QWidget
 {
     Q_OBJECT
@@ -33,9 +33,11 @@ Q_SIGNALS:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QTabBar* m_folders = nullptr;
+    QComboBox* m_folderBox = nullptr; ///< The same folders.
     QComboBox* m_part = nullptr;
     QLineEdit* m_search = nullptr;
 };
