@@ -139,6 +139,7 @@ void StyleRow::showOnly(const std::vector<QString>& paths)
 std::vector<QString> StyleRow::shownPaths() const
 {
     std::vector<QString> paths;
+    paths.reserve(m_shown.size());
     for (const StyleTile* one : m_shown)
         paths.push_back(one->path());
     return paths;

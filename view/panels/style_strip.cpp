@@ -130,6 +130,7 @@ void StyleStrip::setEntries(const std::vector<model::PresetEntry>& entries)
     m_list.setEntries(entries);
     m_shelf.forget();
     std::vector<StyleTile*> tiles;
+    tiles.reserve(entries.size() + 1);
     for (const model::PresetEntry& entry : entries)
         tiles.push_back(makeTile(entry));
     auto* save = new StyleTile({}, tr("Save style"), false, this);
@@ -159,7 +160,7 @@ void StyleStrip::filter()
     std::vector<QString> shown = m_list.shown(folder, m_bar->words());
     const bool isOfUser = folder.kind == StyleFolder::Kind::All || folder.kind == StyleFolder::Kind::Own;
     if (isOfUser && m_bar->words().isEmpty())
-        shown.push_back({}); // "Save style"
+        shown.emplace_back(); // "Save style"
     if (shown.empty())
         showSign();
     else
