@@ -55,6 +55,23 @@ void setTies(Recording& user, WornKind kind, QRgb value, float radiusM, float co
     });
 }
 
+/// Long hair of one colour, all of it in one ponytail.
+void tieAll(Recording& user, QRgb value, const sim::SurfacePoint& tie)
+{
+    user.setLayerOpacity(MapKind::Density, 0.85F);
+    user.fill(MapKind::Colour, colour(value));
+    user.fill(MapKind::Length, user.length(0.40F));
+    user.fill(MapKind::Curl, scalar(1.0F));
+    user.gather(WornKind::Ponytail, tie);
+}
+
+void waveSlightly(sim::GroupSettings& settings, float pitchM)
+{
+    model::setHairType(settings, model::hairType("2A"));
+    settings.curl.diameterM = 0.03F;
+    settings.curl.pitchM = pitchM;
+}
+
 } // namespace
 
 Style highPonytail()
@@ -64,16 +81,10 @@ Style highPonytail()
                 .tags = {QStringLiteral("long"), QStringLiteral("straight"), QStringLiteral("tied")},
                 .settings = tautSettings(0.50F),
                 .record = [](Recording& user) {
-                    user.setLayerOpacity(MapKind::Density, 0.85F);
-                    user.fill(MapKind::Colour, colour(0xFF7E5C3A));
-                    user.fill(MapKind::Length, user.length(0.40F));
-                    user.fill(MapKind::Curl, scalar(1.0F));
-                    user.gather(WornKind::Ponytail, user.above(0.0F, -0.072F));
+                    tieAll(user, 0xFF7E5C3A, user.above(0.0F, -0.072F));
                     setTies(user, WornKind::Ponytail, 0xFF2A2426, 0.017F);
                 }};
-    model::setHairType(style.settings, model::hairType("2A"));
-    style.settings.curl.diameterM = 0.03F;
-    style.settings.curl.pitchM = 0.24F;
+    waveSlightly(style.settings, 0.24F);
     return style;
 }
 
@@ -84,16 +95,10 @@ Style lowPonytail()
                 .tags = {QStringLiteral("long"), QStringLiteral("straight"), QStringLiteral("tied")},
                 .settings = tautSettings(0.45F),
                 .record = [](Recording& user) {
-                    user.setLayerOpacity(MapKind::Density, 0.85F);
-                    user.fill(MapKind::Colour, colour(0xFF2A1E1A));
-                    user.fill(MapKind::Length, user.length(0.40F));
-                    user.fill(MapKind::Curl, scalar(1.0F));
-                    user.gather(WornKind::Ponytail, user.around(180.0F, -0.03F));
+                    tieAll(user, 0xFF2A1E1A, user.around(180.0F, -0.03F));
                     setTies(user, WornKind::Ponytail, 0xFF8A1C30, 0.016F);
                 }};
-    model::setHairType(style.settings, model::hairType("2A"));
-    style.settings.curl.diameterM = 0.03F;
-    style.settings.curl.pitchM = 0.24F;
+    waveSlightly(style.settings, 0.24F);
     return style;
 }
 
@@ -141,9 +146,7 @@ Style halfUp()
                         bow.shape.centreHd += bow.shape.rotation * glm::vec3(0.0F, 0.0F, 0.016F);
                     });
                 }};
-    model::setHairType(style.settings, model::hairType("2A"));
-    style.settings.curl.diameterM = 0.03F;
-    style.settings.curl.pitchM = 0.2F;
+    waveSlightly(style.settings, 0.2F);
     return style;
 }
 
