@@ -62,3 +62,23 @@ function(hairpaint_labels entry variable)
     endwhile()
     message(FATAL_ERROR "No row of tests/labels.cmake says what ${entry} is")
 endfunction()
+
+# What an entry wants that Windows, or wine, does not have. It is compiled there, and not run.
+set(hairpaint_lacks_on_windows
+    "app\\.installed" "installs as Linux does"
+    "app\\.translations" "runs this machine's lupdate"
+    "fuzz\\..*" "its targets are clang's"
+)
+
+# hairpaint_lacks(ENTRY VARIABLE): what it lacks on Windows; empty where that is nothing.
+function(hairpaint_lacks entry variable)
+    set(${variable} "" PARENT_SCOPE)
+    set(rows ${hairpaint_lacks_on_windows})
+    while(rows)
+        list(POP_FRONT rows pattern lack)
+        if(entry MATCHES "^(${pattern})$")
+            set(${variable} "${lack}" PARENT_SCOPE)
+            return()
+        endif()
+    endwhile()
+endfunction()

@@ -2,6 +2,9 @@
 #include "model/exporting/obj_file.h"
 
 #include "model/exporting/piece_writer.h"
+#include "model/exporting/worn_body.h"
+
+#include <initializer_list>
 
 namespace hairpaint::model {
 
@@ -60,6 +63,48 @@ void writeLines(const CurveGroup& group, double until, PieceWriter& writer)
     });
 }
 
+/// A thing that is worn, behind `before` vertices: triangles with normals and uv, whose vertices bring its colour, as
+/// the hair's do.
+std::string wornObject(const WornBody& body, const ExportSpace& space, std::uint64_t before, std::uint64_t ownBefore)
+{
+    const auto numbers = [](std::string& out, const char* keyword, std::initializer_list<float> values) {
+        out += keyword;
+        for (const float value : values) {
+            out.push_back(' ');
+            appendNumber(out, value);
+        }
+    };
+    std::string out = "o " + objectName(body.name) + "\n";
+    std::string colour;
+    for (const int channel : {qRed(body.colour), qGreen(body.colour), qBlue(body.colour)}) {
+        colour.push_back(' ');
+        appendFraction(colour, static_cast<float>(channel) / 255.0F, kObjColourDecimals);
+    }
+    for (const HeadVertexOut& vertex : body.mesh.vertices) {
+        const glm::vec3 position = space.position(vertex.position);
+        const glm::vec3 normal = space.direction(vertex.normal);
+        numbers(out, "v", {position.x, position.y, position.z});
+        out += colour;
+        numbers(out, "\nvt", {vertex.uv.x, 1.0F - vertex.uv.y});
+        numbers(out, "\nvn", {normal.x, normal.y, normal.z});
+        out.push_back('\n');
+    }
+    for (std::size_t i = 0; i + 2 < body.mesh.indices.size(); i += 3) {
+        out.push_back('f');
+        for (std::size_t corner = i; corner < i + 3; ++corner) {
+            const std::uint64_t own = ownBefore + body.mesh.indices[corner] + 1;
+            out.push_back(' ');
+            appendNumber(out, before + body.mesh.indices[corner] + 1);
+            for (int times = 0; times < 2; ++times) {
+                out.push_back('/');
+                appendNumber(out, own);
+            }
+        }
+        out.push_back('\n');
+    }
+    return out;
+}
+
 } // namespace
 
 Result<void> writeObjFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
@@ -81,6 +126,11 @@ Result<void> writeObjFile(const CurveSet& curves, const ExportSettings& settings
                 writeVertices(curves, group, settings.space, before + kVertexWork * (fraction - before), writer);
                 writeLines(group, fraction, writer);
                 before = fraction;
+            }
+            std::uint64_t vertices = curves.pointCount();
+            for (const WornBody& body : wornBodies(curves, settings.worn)) {
+                writer.write(wornObject(body, settings.space, vertices, vertices - curves.pointCount()));
+                vertices += body.mesh.vertices.size();
             }
             return {};
         });

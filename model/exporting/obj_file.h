@@ -7,8 +7,8 @@
 
 namespace hairpaint::model {
 
-/// An object a group; vertices with colours (sRGB as encoded), and a line a segment, since some readers keep no more
-/// of a longer one. Atomic. Any thread.
+/// An object a group, and one with faces for each thing that is worn; vertices with colours (sRGB as encoded), and a
+/// line a segment, since some readers keep no more of a longer one. Atomic. Any thread.
 [[nodiscard]] Result<void> writeObjFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                                         const Progress& progress = {});
 

@@ -3,15 +3,12 @@
 
 #include "model/exporting/piece_writer.h"
 #include "model/exporting/ribbon.h"
+#include "model/exporting/ribbon_json.h"
+#include "model/exporting/worn_body.h"
 #include "model/files/glb.h"
 
-#include <QJsonArray>
-#include <QJsonObject>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <mutex>
 
@@ -20,38 +17,8 @@ namespace hairpaint::model {
 namespace {
 
 constexpr std::size_t kRibbonPointBytes = 90; ///< About: two vertices and their triangles.
-constexpr int kFloatType = 5126;
-constexpr int kShortType = 5123;
-constexpr int kIntType = 5125;
-constexpr int kVertexTarget = 34962;
-constexpr int kIndexTarget = 34963;
 constexpr float kWidestRibbonM = 4e-3F;
 constexpr float kShortMost = 65535.0F;
-
-/// As it lies in the file.
-struct RibbonVertex
-{
-    glm::vec3 position;
-    glm::vec3 normal;
-    std::array<quint16, 2> uv;
-    std::array<quint16, 4> colour;
-};
-static_assert(sizeof(RibbonVertex) == 36);
-
-struct RibbonGroup
-{
-    const CurveGroup* curves = nullptr;
-    glm::vec3 least{std::numeric_limits<float>::max()};
-    glm::vec3 greatest{std::numeric_limits<float>::lowest()};
-    [[nodiscard]] quint64 points() const
-    {
-        return curves->curves.back().endPoint() - curves->curves.front().firstPoint;
-    }
-    [[nodiscard]] quint64 vertices() const { return 2 * points(); }
-    [[nodiscard]] quint64 indices() const { return 6 * (points() - curves->curves.size()); }
-    [[nodiscard]] quint64 vertexBytes() const { return vertices() * sizeof(RibbonVertex); }
-    [[nodiscard]] quint64 indexBytes() const { return indices() * sizeof(quint32); }
-};
 
 quint16 shortOf(float value)
 {
@@ -126,114 +93,15 @@ void writeRibbonIndices(const RibbonGroup& group, double until, PieceWriter& wri
     });
 }
 
-QJsonArray exactly(const glm::vec3& v)
+template<typename T>
+std::string_view bytesOf(const std::vector<T>& values)
 {
-    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
-
-/// The description of what follows in the binary chunk.
-class RibbonJson
-{
-public:
-    void add(const CurveSet& set, const RibbonGroup& group)
-    {
-        const QString name = group.curves->name;
-        const int vertices = addView(group.vertexBytes(), kVertexTarget, sizeof(RibbonVertex));
-        QJsonObject position =
-            accessor(vertices, offsetof(RibbonVertex, position), kFloatType, group.vertices(), "VEC3");
-        position.insert(QStringLiteral("min"), exactly(group.least));
-        position.insert(QStringLiteral("max"), exactly(group.greatest));
-        const auto normalised = [](QJsonObject object) {
-            object.insert(QStringLiteral("normalized"), true);
-            return object;
-        };
-        const QJsonObject attributes{
-            {QStringLiteral("POSITION"), addAccessor(position)},
-            {QStringLiteral("NORMAL"),
-             addAccessor(accessor(vertices, offsetof(RibbonVertex, normal), kFloatType, group.vertices(), "VEC3"))},
-            {QStringLiteral("TEXCOORD_0"), addAccessor(normalised(accessor(vertices, offsetof(RibbonVertex, uv),
-                                                                           kShortType, group.vertices(), "VEC2")))},
-            {QStringLiteral("COLOR_0"), addAccessor(normalised(accessor(vertices, offsetof(RibbonVertex, colour),
-                                                                        kShortType, group.vertices(), "VEC4")))}};
-        const int indexView = addView(group.indexBytes(), kIndexTarget, 0);
-        const int indices = addAccessor(accessor(indexView, 0, kIntType, group.indices(), "SCALAR"));
-        const auto roughness = static_cast<double>(set.material(group.curves->curves.front()).roughness);
-        m_materials.append(QJsonObject{
-            {QStringLiteral("name"), name},
-            {QStringLiteral("doubleSided"), true},
-            {QStringLiteral("pbrMetallicRoughness"),
-             QJsonObject{{QStringLiteral("metallicFactor"), 0.0}, {QStringLiteral("roughnessFactor"), roughness}}}});
-        const QJsonObject primitive{{QStringLiteral("attributes"), attributes},
-                                    {QStringLiteral("indices"), indices},
-                                    {QStringLiteral("material"), static_cast<int>(m_materials.size()) - 1},
-                                    {QStringLiteral("mode"), 4}};
-        m_meshes.append(
-            QJsonObject{{QStringLiteral("name"), name}, {QStringLiteral("primitives"), QJsonArray{primitive}}});
-        m_nodes.append(QJsonObject{{QStringLiteral("name"), name},
-                                   {QStringLiteral("mesh"), static_cast<int>(m_meshes.size()) - 1}});
-    }
-
-    [[nodiscard]] quint64 bytes() const { return m_bytes; }
-
-    [[nodiscard]] QJsonObject finish() const
-    {
-        QJsonObject root{
-            {QStringLiteral("asset"), QJsonObject{{QStringLiteral("version"), QStringLiteral("2.0")},
-                                                  {QStringLiteral("generator"), QStringLiteral("Hair Paint")}}},
-            {QStringLiteral("scene"), 0}};
-        QJsonObject scene{{QStringLiteral("name"), QStringLiteral("Hair")}};
-        if (!m_nodes.isEmpty()) { // Arrays of glTF are never empty.
-            QJsonArray nodes;
-            for (int i = 0; i < static_cast<int>(m_nodes.size()); ++i)
-                nodes.append(i);
-            scene.insert(QStringLiteral("nodes"), nodes);
-            root.insert(QStringLiteral("nodes"), m_nodes);
-            root.insert(QStringLiteral("meshes"), m_meshes);
-            root.insert(QStringLiteral("materials"), m_materials);
-            root.insert(QStringLiteral("accessors"), m_accessors);
-            root.insert(QStringLiteral("bufferViews"), m_views);
-            root.insert(QStringLiteral("buffers"),
-                        QJsonArray{QJsonObject{{QStringLiteral("byteLength"), static_cast<qint64>(m_bytes)}}});
-        }
-        root.insert(QStringLiteral("scenes"), QJsonArray{scene});
-        return root;
-    }
-
-private:
-    int addView(quint64 bytes, int target, std::size_t stride)
-    {
-        QJsonObject view{{QStringLiteral("buffer"), 0},
-                         {QStringLiteral("byteOffset"), static_cast<qint64>(m_bytes)},
-                         {QStringLiteral("byteLength"), static_cast<qint64>(bytes)},
-                         {QStringLiteral("target"), target}};
-        if (stride > 0)
-            view.insert(QStringLiteral("byteStride"), static_cast<int>(stride));
-        m_views.append(view);
-        m_bytes += bytes;
-        return static_cast<int>(m_views.size()) - 1;
-    }
-    [[nodiscard]] static QJsonObject accessor(int view, std::size_t offset, int componentType, quint64 count,
-                                              const char* type)
-    {
-        return {{QStringLiteral("bufferView"), view},
-                {QStringLiteral("byteOffset"), static_cast<int>(offset)},
-                {QStringLiteral("componentType"), componentType},
-                {QStringLiteral("count"), static_cast<qint64>(count)},
-                {QStringLiteral("type"), QLatin1String(type)}};
-    }
-    int addAccessor(const QJsonObject& accessor)
-    {
-        m_accessors.append(accessor);
-        return static_cast<int>(m_accessors.size()) - 1;
-    }
-
-    QJsonArray m_nodes, m_meshes, m_materials, m_accessors, m_views;
-    quint64 m_bytes = 0;
-};
 
 } // namespace
 
-Result<void> writeRibbonFile(const CurveSet& curves, const ExportSettings& /*settings*/, const QString& path,
+Result<void> writeRibbonFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                              const Progress& progress)
 {
     return writeInPieces(path, curves.pointCount() * kRibbonPointBytes, progress,
@@ -253,6 +121,9 @@ Result<void> writeRibbonFile(const CurveSet& curves, const ExportSettings& /*set
                                  measureRibbons(curves, groups.back(), kMeasuredPart * doneWith(groups.back()), writer);
                                  json.add(curves, groups.back());
                              }
+                             const std::vector<WornBody> bodies = wornBodies(curves, settings.worn);
+                             for (const WornBody& body : bodies)
+                                 json.add(body);
                              constexpr quint64 kMostJsonBytes = 1U << 20U;
                              if (json.bytes() > std::numeric_limits<quint32>::max() - kMostJsonBytes)
                                  return tooManyPoints();
@@ -264,6 +135,10 @@ Result<void> writeRibbonFile(const CurveSet& curves, const ExportSettings& /*set
                                  writeRibbonVertices(curves, group, before + kVertexPart * (after - before), writer);
                                  writeRibbonIndices(group, after, writer);
                                  before = after;
+                             }
+                             for (const WornBody& body : bodies) {
+                                 writer.write(bytesOf(body.mesh.vertices));
+                                 writer.write(bytesOf(body.mesh.indices));
                              }
                              return {};
                          });

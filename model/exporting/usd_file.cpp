@@ -4,6 +4,9 @@
 
 #include "model/exporting/piece_writer.h"
 #include "model/exporting/stored_entry.h"
+#include "model/exporting/usd_mesh.h"
+#include "model/exporting/usd_text.h"
+#include "model/exporting/worn_body.h"
 
 #include <QSet>
 
@@ -13,59 +16,8 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr std::size_t kUsdPointBytes = 60; ///< About, as text.
-constexpr int kColourDecimals = 4;
+constexpr std::size_t kUsdPointBytes = 60;     ///< About, as text.
 constexpr float kCentimetresPerMetre = 100.0F; ///< groom_width is in Unreal's unit, whatever the stage's is.
-
-/// As a name of a prim: letters, digits and underscores.
-QString primName(const QString& name, QSet<QString>& taken)
-{
-    QString made;
-    for (const QChar c : name) {
-        const bool plain = c.unicode() < 128 && (c.isLetterOrNumber() || c == QLatin1Char('_'));
-        made += plain ? c : QLatin1Char('_');
-    }
-    if (made.isEmpty() || !made.front().isLetter())
-        made.prepend(QLatin1String("Group_"));
-    QString free = made;
-    for (int number = 2; taken.contains(free); ++number)
-        free = QStringLiteral("%1_%2").arg(made).arg(number);
-    taken.insert(free);
-    return free;
-}
-
-std::string quoted(const QString& text)
-{
-    std::string out = "\"";
-    for (const char c : text.toUtf8()) {
-        if (c == '"' || c == '\\')
-            out.push_back('\\');
-        out.push_back(static_cast<unsigned char>(c) < 0x20U ? ' ' : c);
-    }
-    return out + '"';
-}
-
-void appendPoint(std::string& out, const glm::vec3& point)
-{
-    out.push_back('(');
-    for (int axis = 0; axis < 3; ++axis) {
-        if (axis > 0)
-            out.push_back(',');
-        appendNumber(out, point[axis]);
-    }
-    out.push_back(')');
-}
-
-void appendColour(std::string& out, const glm::vec3& colour)
-{
-    out.push_back('(');
-    for (int channel = 0; channel < 3; ++channel) {
-        if (channel > 0)
-            out.push_back(',');
-        appendFraction(out, colour[channel], kColourDecimals);
-    }
-    out.push_back(')');
-}
 
 /// Writes the prims of a set of curves.
 class UsdText
@@ -91,12 +43,14 @@ public:
         QSet<QString> taken;
         std::uint64_t number = 0;
         for (const CurveGroup& group : m_set.groups()) {
-            m_writer.write("\n    def Xform " + quoted(primName(group.name, taken)) + "\n    {\n");
+            m_writer.write("\n    def Xform " + usdQuoted(usdName(group.name, taken)) + "\n    {\n");
             writeCurves(group, number, "Strands", group.curves, false);
             writeCurves(group, number, "Guides", group.guides, true);
             m_writer.write("    }\n");
             ++number;
         }
+        for (const WornBody& body : wornBodies(m_set, m_settings.worn))
+            m_writer.write(usdMesh(body, usdName(body.name, taken), m_settings.space));
         m_writer.write("}\n");
     }
 
@@ -164,9 +118,9 @@ private:
         const glm::vec3 a = space.position(group.leastWo);
         const glm::vec3 b = space.position(group.greatestWo);
         std::string extent = "            float3[] extent = [";
-        appendPoint(extent, glm::min(a, b) - space.length(kWidestM));
+        appendUsdPoint(extent, glm::min(a, b) - space.length(kWidestM));
         extent += ", ";
-        appendPoint(extent, glm::max(a, b) + space.length(kWidestM));
+        appendUsdPoint(extent, glm::max(a, b) + space.length(kWidestM));
         m_writer.write(extent + "]\n");
     }
 
@@ -185,7 +139,7 @@ private:
                            for (const glm::vec3& point :
                                 guide ? m_set.guidePoints(curve, scratch) : m_set.points(curve, scratch)) {
                                out.push_back(',');
-                               appendPoint(out, m_settings.space.position(point));
+                               appendUsdPoint(out, m_settings.space.position(point));
                            }
                    });
     }
@@ -205,7 +159,7 @@ private:
             for (const Curve& curve : some)
                 for (std::uint32_t i = 0; i < curve.points; ++i) {
                     out.push_back(',');
-                    appendColour(out, m_set.linearColour(curve, fractionOf(curve, i, guide)));
+                    appendUsdColour(out, m_set.linearColour(curve, fractionOf(curve, i, guide)));
                 }
         };
         writeArray("color3f[] primvars:displayColor", "vertex", curves, m_settings.groomColours ? 0.8 : 0.9, colours);
@@ -239,7 +193,7 @@ private:
         });
         writeConstant("int[] primvars:groom_guide", guide ? "1" : "0");
         writeConstant("int[] primvars:groom_group_id", std::to_string(number));
-        writeConstant("string[] primvars:groom_group_name", quoted(group.name));
+        writeConstant("string[] primvars:groom_group_name", usdQuoted(group.name));
         const auto differs = [&](const Curve& curve) {
             return m_set.roughness(curve) != m_set.roughness(curves.front());
         };

@@ -7,9 +7,9 @@
 
 namespace hairpaint::model {
 
-/// An Xform a group, with its strands and, as further curves, its basis hairs as guides: linear BasisCurves with widths
-/// and colours per point (linear light) and Unreal's groom attributes. The stage names unit and axis. Atomic. Any
-/// thread.
+/// A Mesh with its material for each thing that is worn, and an Xform a group, with its strands and, as further curves,
+/// its basis hairs as guides: linear BasisCurves with widths and colours per point (linear light) and Unreal's groom
+/// attributes. The stage names unit and axis. Atomic. Any thread.
 [[nodiscard]] Result<void> writeUsdFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                                         const Progress& progress = {});
 /// The same as `hair.usda` in a `.usdz`: stored, its bytes aligned to 64.

@@ -257,6 +257,36 @@ packages() {
     done
 }
 
+# windows: the suite's build for Windows under wine, then what both programs write.
+windows() {
+    local work=$PWD/build/windows
+    say "== windows"
+    install_packages wine64 xvfb || exit 1
+    [ -n "${DISPLAY:-}" ] || exec xvfb-run -a -s "-screen 0 1440x900x24" tests/run --windows
+    build release || { failed=$((failed + 1)); return; }
+    resources/packaging/windows/build >&2 && resources/packaging/windows/build tests >&2 || { failed=$((failed + 1)); return; }
+    export HAIRPAINT_WINDOWS_ROOT=$work/root HAIRPAINT_WINE=$work/wine
+    resources/packaging/windows/under_wine wineboot --init >/dev/null 2>&1
+    run_suite windows/program
+    left_out build/release/tests.log build/windows/program/tests.log
+    counted tests/packaging/windows_bytes "$work/package/hairpaint"
+}
+
+# left_out LOG OTHER: entries of which the other run has fewer functions, or none.
+left_out() {
+    local name good bad number all=0
+    [ -f "$1" ] || { say "   run tests/run first to be told what Windows' build leaves out"; return; }
+    declare -A there
+    while read -r name good bad; do there[$name]=$((good + bad)); done < <(entry_counts "$2")
+    while read -r name good bad; do
+        number=$((good + bad - ${there[$name]:-0}))
+        [ "$number" -gt 0 ] || continue
+        all=$((all + number))
+        say "   not on Windows: $number of $((good + bad)) functions of $name"
+    done < <(entry_counts "$1" | sort)
+    say "   $all functions are Linux' alone"
+}
+
 models() {
     say "== models"
     install_packages "${HAIRPAINT_MODELS_PACKAGES[@]}" || exit 1

@@ -2,6 +2,7 @@
 #include "view/look/theme.h"
 
 #include "view/look/resources.h"
+#include "view/look/title_bar.h"
 
 #include <QApplication>
 #include <QFile>
@@ -115,6 +116,7 @@ void applyTheme(QApplication& application, ThemeKind kind)
     QApplication::setFont(themeFont(TextRole::Body));
     QApplication::setPalette(theme.palette());
     application.setStyleSheet(sheet);
+    matchTitleBars(application, kind);
 }
 
 } // namespace hairpaint::view

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/exporting/avatar.h"
-#include "model/exporting/cards/card_head.h"
+#include "model/exporting/posed_mesh.h"
 
 #include <vector>
 

@@ -4,9 +4,9 @@
 
 #include "model/exporting/cards/avatar_glb.h"
 #include "model/exporting/cards/bone_glb.h"
-#include "model/exporting/cards/card_head.h"
 #include "model/exporting/cards/card_mesh.h"
 #include "model/exporting/glb_buffer.h"
+#include "model/exporting/worn_body.h"
 #include "model/files/glb.h"
 #include "model/values/srgb.h"
 
@@ -87,12 +87,9 @@ public:
     }
 
     /// With the head; as addHead() has them.
-    void addWorn(const PosedMesh& body, const Worn& worn, const std::vector<BoneWeights>& bones, int skin)
+    void addWorn(const WornBody& body, const std::vector<BoneWeights>& bones, int skin)
     {
-        constexpr double kRoughness = 0.3; // Of what has all the sheen that there is.
-        const double roughness = kRoughness + (1.0 - kRoughness) * (1.0 - static_cast<double>(worn.sheen));
-        const QString name = QStringLiteral("Worn %1 %2").arg(QLatin1StringView(wornSpec(worn.kind).id)).arg(worn.id);
-        addBody(name, body, material(name, worn.colour, roughness), bones, skin);
+        addBody(body.name, body.mesh, material(body.name, body.colour, body.roughness), bones, skin);
     }
 
     /// The chains hang from a joint that is made for them.
@@ -376,24 +373,24 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
         for (const Worn& worn : settings.worn) {
             if (!wornSpec(worn.kind).drawn())
                 continue;
-            const PosedMesh thing = turnedWorn(curves, worn, body.turn);
-            glb.addWorn(thing, worn, std::vector<BoneWeights>(thing.vertices.size(), headBone), skin);
+            const WornBody thing = wornBody(worn, turnedWorn(curves, worn, body.turn));
+            glb.addWorn(thing, std::vector<BoneWeights>(thing.mesh.vertices.size(), headBone), skin);
         }
         glb.addAvatar(curves, cards, settings, body, frame);
-    } else if (const PosedMesh head = settings.cards.withHead ? posedHead(curves) : PosedMesh{};
-               !head.indices.empty()) {
-        const std::size_t held = cards.bones ? head.vertices.size() : 0;
-        glb.addHead(head, settings.skinColour, settings.headTexture, std::vector<BoneWeights>(held), 0);
-        for (const HeadPart& part : settings.parts) {
-            const PosedMesh own = posedPart(curves, part);
-            glb.addPart(own, part, std::vector<BoneWeights>(cards.bones ? own.vertices.size() : 0), 0);
+    } else {
+        const auto held = [&cards](const PosedMesh& mesh) {
+            return std::vector<BoneWeights>(cards.bones ? mesh.vertices.size() : 0);
+        };
+        const PosedMesh head = settings.cards.withHead ? posedHead(curves) : PosedMesh{};
+        if (!head.indices.empty()) {
+            glb.addHead(head, settings.skinColour, settings.headTexture, held(head), 0);
+            for (const HeadPart& part : settings.parts) {
+                const PosedMesh own = posedPart(curves, part);
+                glb.addPart(own, part, held(own), 0);
+            }
         }
-        for (const Worn& worn : settings.worn) {
-            if (!wornSpec(worn.kind).drawn())
-                continue;
-            const PosedMesh thing = posedWorn(curves, worn);
-            glb.addWorn(thing, worn, std::vector<BoneWeights>(cards.bones ? thing.vertices.size() : 0), 0);
-        }
+        for (const WornBody& thing : wornBodies(curves, settings.worn))
+            glb.addWorn(thing, held(thing.mesh), 0);
     }
     if (cards.patches.empty()) {
         glb.addPartImages();

@@ -1,5 +1,5 @@
 // Transforms vertices of the head and of what is worn as head.vert does.
-#include "model/exporting/cards/card_head.h"
+#include "model/exporting/posed_mesh.h"
 
 #include "model/exporting/unit_vectors.h"
 #include "sim/motion/head_motion.h"

@@ -1,4 +1,4 @@
-// The head beside its cards, and what is worn on it.
+// The head as it is held, and what goes with it, as meshes for files.
 #pragma once
 
 #include "model/exporting/curve_set.h"
