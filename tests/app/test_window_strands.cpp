@@ -256,6 +256,22 @@ private Q_SLOTS:
         QCOMPARE(editor().tools().settings().touch, TouchKind::Seen);
     }
 
+    void theStrandsThatAreMeantFollowTheViewUnderAPointerThatRests()
+    {
+        openWithLongHair();
+        editor().target().setMap(MapKind::Colour);
+        setTools(model::ToolId::Brush, TouchKind::Seen);
+        const auto* overlay = m_window->headView().findChild<view::HeadOverlay*>();
+        QTest::mouseMove(m_head, m_at + QPoint(0, 1));
+        QTest::mouseMove(m_head, m_at);
+        const std::vector<QPolygonF> before = overlay->strands();
+        QVERIFY(!before.empty());
+        QWheelEvent wheel(m_at, m_head->mapToGlobal(m_at), {}, QPoint(0, 360), Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(m_head, &wheel);
+        QTRY_VERIFY_WITH_TIMEOUT(overlay->strands() != before && !overlay->strands().empty(), test::kPatienceMs);
+    }
+
     void aClickWithCtrlTakesWhatTheStrandHasAtItsRoot()
     {
         openWithLongHair();

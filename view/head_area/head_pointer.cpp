@@ -156,9 +156,19 @@ void HeadPointer::release(const PointerSample& sample)
 void HeadPointer::leave()
 {
     m_puffs.interrupt();
+    m_hovering.reset();
     const std::optional<HoverPoint>& hover = m_editor.hover().at();
     if (!dragging() && hover && hover->area == model::Area::Head)
         m_editor.hover().set(std::nullopt);
+}
+
+void HeadPointer::follow(const rendering::Camera& camera)
+{
+    if (camera == m_shownCamera)
+        return;
+    m_shownCamera = camera;
+    if (!dragging() && m_hovering)
+        hoverAt(*m_hovering);
 }
 
 bool HeadPointer::handleKey(Qt::Key key, Qt::KeyboardModifiers modifiers)
@@ -205,6 +215,7 @@ bool HeadPointer::grabs() const
 
 void HeadPointer::hoverAt(const PointerSample& sample)
 {
+    m_hovering = sample;
     m_overWorn = m_wornDrag.reaches(sample.position);
     updateCursor();
     // Where hair is grabbed, or can be, the ring says which roots go along.

@@ -36,6 +36,8 @@ public:
     void move(const PointerSample& sample);
     void release(const PointerSample& sample);
     void leave();
+    /// A picture from that camera is shown: what lies under a pointer that rests is another where the camera is.
+    void follow(const rendering::Camera& camera);
     /// A key of the active tool, or Esc in a drag that it ends; false leaves it to others.
     bool handleKey(Qt::Key key, Qt::KeyboardModifiers modifiers);
 
@@ -83,6 +85,8 @@ private:
     BrushDrag m_brushDrag;
     WornDrag m_wornDrag;
     bool m_overWorn = false;
+    std::optional<PointerSample> m_hovering; ///< Where, while the pointer is over the area.
+    rendering::Camera m_shownCamera;
     PuffGesture m_puffs;
 
     Drag m_drag = Drag::None;

@@ -292,6 +292,7 @@ void HeadView::follow(const Sight& sight)
         Q_EMIT ownHairShown();
     }
     m_cover->follow(sight);
+    m_pointer->follow(sight.camera);
 }
 
 void HeadView::setLookedAt(std::optional<model::MapKind> map)
