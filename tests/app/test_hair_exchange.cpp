@@ -6,6 +6,7 @@
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"
 #include "tests/support/glb_json.h"
+#include "tests/support/head_picture.h"
 #include "tests/support/mannequin.h"
 #include "tests/support/test_program.h"
 #include "view/head_area/view_signs.h"
@@ -79,7 +80,7 @@ private Q_SLOTS:
         open(test::thinned(starterProject()));
         awaitNewestHair();
         view::HeadView& head = m_window->headView();
-        const QImage strands = head.grabPicture({200, 200});
+        const QImage strands = test::pictureOf(head, {200, 200});
         m_answers->file = path("unwritten.glb");
         m_answers->choosesExport = [](view::ExportHairDialog& dialog) {
             QComboBox* format = dialog.findChildren<QComboBox*>()[0];
@@ -106,7 +107,7 @@ private Q_SLOTS:
                  qPrintable(QString::number(triangles)));
         const QString sign = head.findChild<view::ViewSigns*>()->text();
         QVERIFY2(sign.contains(QStringLiteral("%L1 triangles").arg(triangles)), qPrintable(sign));
-        const QImage cards = head.grabPicture({200, 200});
+        const QImage cards = test::pictureOf(head, {200, 200});
         QVERIFY(cards != strands);
 
         if (fromDialog) {

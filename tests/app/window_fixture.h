@@ -8,6 +8,7 @@
 #include "model/styles/style_use.h"
 #include "tests/app/thin_project.h"
 #include "tests/support/await.h"
+#include "tests/support/head_picture.h"
 #include "view/head_area/head_view.h"
 #include "view/look/resources.h"
 #include "view/paint_area/paint_view.h"
@@ -112,7 +113,7 @@ protected:
         const auto isFine = [&head] { return !head.awake() && !head.refining(); };
         QTRY_VERIFY_WITH_TIMEOUT(isFine(), kPatienceMs);
         // One that was asked for is begun before this one, and has told so then.
-        QVERIFY(!head.grabPicture(QSize(8, 8)).isNull());
+        QVERIFY(!test::pictureOf(head, QSize(8, 8)).isNull());
         test::handleDueEvents();
         QTRY_VERIFY_WITH_TIMEOUT(isFine(), kPatienceMs);
     }
@@ -161,7 +162,7 @@ protected:
         return raster.texel(static_cast<int>(u * size), static_cast<int>((1.0F - v) * size));
     }
 
-    [[nodiscard]] QImage picture() { return m_window->headView().grabPicture(QSize(320, 320)); }
+    [[nodiscard]] QImage picture() { return test::pictureOf(m_window->headView(), QSize(320, 320)); }
 
     [[nodiscard]] QByteArray savedBytes(const char* name)
     {

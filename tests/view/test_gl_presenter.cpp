@@ -1,5 +1,6 @@
 // The QOpenGLWidget of the 3D area, in a real window: run on xcb under Xvfb.
 #include "head_fixture.h"
+#include "tests/support/head_picture.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/head_area/gl_presenter.h"
@@ -126,7 +127,7 @@ private Q_SLOTS:
         const QPoint middle(shown.width() / 2, shown.height() / 2);
         QVERIFY(lightness(shown, middle) > lightness(shown, {10, 10}) + 30);
         QVERIFY(!m_area->rendererDescription().isEmpty());
-        const QImage picture = m_area->grabPicture({120, 100});
+        const QImage picture = test::pictureOf(*m_area, {120, 100});
         QCOMPARE(picture.size(), QSize(120, 100));
         QVERIFY(lightness(picture, {60, 50}) > lightness(picture, {3, 3}) + 30);
     }
@@ -137,7 +138,7 @@ private Q_SLOTS:
         QSignalSpy drawn(m_area, &view::HeadView::frameDrawn);
         m_window->show();
         QTRY_VERIFY_WITH_TIMEOUT(drawn.count() >= 1, test::kPatienceMs);
-        const QImage before = m_area->grabPicture({120, 100});
+        const QImage before = test::pictureOf(*m_area, {120, 100});
         QSignalSpy told(m_area, &view::HeadView::glUnavailable);
         const auto answers =
             std::exchange(epoxy_glGetGraphicsResetStatusARB, []() -> GLenum { return GL_UNKNOWN_CONTEXT_RESET_ARB; });
@@ -147,7 +148,7 @@ private Q_SLOTS:
         epoxy_glGetGraphicsResetStatusARB = answers;
         QTRY_VERIFY_WITH_TIMEOUT(drawn.count() >= 1, test::kPatienceMs);
         QVERIFY(m_area->findChild<QOpenGLWidget*>() == nullptr);
-        const QImage after = m_area->grabPicture({120, 100});
+        const QImage after = test::pictureOf(*m_area, {120, 100});
         QVERIFY(std::abs(lightness(after, {60, 50}) - lightness(before, {60, 50})) < 6);
     }
 

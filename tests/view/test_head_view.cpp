@@ -1,6 +1,7 @@
 // The 3D area driven by mouse, wheel and keys; its pictures come from an off-screen context.
 #include "head_fixture.h"
 #include "model/document/commands.h"
+#include "tests/support/head_picture.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/head_area/head_camera.h"
@@ -280,13 +281,13 @@ private Q_SLOTS:
         settings.brushSizeM = 0.04F;
         f.editor.state.tools().setSettings(settings);
         f.area.setFrame(f.frame());
-        const QImage before = f.area.grabPicture({480, 400});
+        const QImage before = test::pictureOf(f.area, {480, 400});
         QCOMPARE(before.size(), QSize(480, 400));
         QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
         const std::shared_ptr<const sim::StrandFrame> frame = f.frame();
         QVERIFY(frame->hairCount > 100);
         f.area.setFrame(frame);
-        const QImage after = f.area.grabPicture({480, 400});
+        const QImage after = test::pictureOf(f.area, {480, 400});
         QVERIFY(differingPixels(before, after, QRect(kMiddle - QPoint(30, 30), QSize(60, 60))) > 200);
         QCOMPARE(differingPixels(before, after, QRect(0, 0, 100, 400)), 0);
     }

@@ -1,5 +1,6 @@
 // The 3D area tells still hair from moving hair, and shows what state its picture is in.
 #include "head_fixture.h"
+#include "tests/support/head_picture.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/head_area/frame_presenter.h"
@@ -122,16 +123,16 @@ private Q_SLOTS:
         QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
         const std::shared_ptr<const sim::StrandFrame> old = f.frame();
         f.area.setFrame(old);
-        const QImage hairy = f.area.grabPicture({480, 400});
+        const QImage hairy = test::pictureOf(f.area, {480, 400});
         auto head = std::make_shared<model::Head>(*f.editor.document.project().head);
         head->skin = std::make_shared<sim::Skin>(test::makeBallHead());
         f.editor.document.push(model::setHeadCommand(f.editor.document, head, {}));
         f.area.setCamera(HeadFixture::camera());
         f.area.setFrame(old); // The simulation was still at it.
-        const QImage bald = f.area.grabPicture({480, 400});
+        const QImage bald = test::pictureOf(f.area, {480, 400});
         QVERIFY(differingPixels(hairy, bald, QRect(0, 0, 480, 400)) > 200);
         f.area.setFrame(f.frame());
-        QVERIFY(differingPixels(f.area.grabPicture({480, 400}), bald, QRect(0, 0, 480, 400)) > 200);
+        QVERIFY(differingPixels(test::pictureOf(f.area, {480, 400}), bald, QRect(0, 0, 480, 400)) > 200);
     }
 
     void aSignTellsThatTheHairIsPaused()

@@ -1,4 +1,5 @@
 // Where no OpenGL driver is found the hair is seen all the same.
+#include "tests/support/head_picture.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/support/view_fixture.h"
@@ -35,7 +36,7 @@ private Q_SLOTS:
         QVERIFY(!area.rendererDescription().isEmpty());
         const QImage shown = area.grab().toImage();
         QVERIFY(shown.pixelColor(240, 200).lightness() > shown.pixelColor(10, 10).lightness() + 30);
-        QCOMPARE(area.grabPicture({64, 64}).size(), QSize(64, 64));
+        QCOMPARE(test::pictureOf(area, {64, 64}).size(), QSize(64, 64));
         QVERIFY(area.skinAt({240, 200}).has_value());
         QTest::mouseClick(&area, Qt::LeftButton, Qt::NoModifier, {240, 200});
         QCOMPARE(editor.document.undoStack().count(), 1);

@@ -1,5 +1,6 @@
 // What is worn, edited in the 3D area.
 #include "model/document/commands.h"
+#include "tests/support/head_picture.h"
 #include "tests/support/test_program.h"
 #include "tests/view/head_fixture.h"
 #include "view/head_area/head_overlay.h"
@@ -257,7 +258,7 @@ private Q_SLOTS:
         const std::vector<rendering::Solid> solids = f.area.pictureScene().solids;
         QCOMPARE(solids.size(), std::size_t{1});
         QVERIFY(solids.front().shape == ball.shape && solids.front().mesh != nullptr);
-        const QImage picture = f.area.grabPicture({480, 400});
+        const QImage picture = test::pictureOf(f.area, {480, 400});
         const QColor pixel = picture.pixelColor(f.shown(ball.shape.centreHd).toPoint());
         QVERIFY2(pixel.red() > pixel.blue() + 40, qPrintable(pixel.name()));
     }

@@ -8,7 +8,8 @@
 
 namespace hairpaint::view {
 
-HeadFrames::HeadFrames(HeadScene& scene, QWidget& area, PresenterChoice choice) : m_scene(scene), m_area(area)
+HeadFrames::HeadFrames(HeadScene& scene, QWidget& area, PresenterChoice choice)
+    : QObject(&area), m_scene(scene), m_area(area)
 {
     connect(&m_pacer, &FramePacer::drawDue, this, &HeadFrames::draw);
     connect(&m_pacer, &FramePacer::stillEnded, this, &HeadFrames::finenessChanged);

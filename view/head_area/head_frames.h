@@ -22,7 +22,7 @@ class HeadFrames : public QObject
 {
     Q_OBJECT
 public:
-    /// Both outlive it.
+    /// Both outlive it; it is a child of the area.
     HeadFrames(HeadScene& scene, QWidget& area, PresenterChoice choice);
     ~HeadFrames() override;
 

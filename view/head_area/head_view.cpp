@@ -188,11 +188,6 @@ rendering::Scene HeadView::pictureScene() const
     return m_scene->withoutRings();
 }
 
-QImage HeadView::grabPicture(QSize size)
-{
-    return size.isEmpty() ? QImage() : m_frames->grab(pictureScene(), size);
-}
-
 std::optional<sim::SurfacePoint> HeadView::skinAt(QPointF position) const
 {
     return m_scene->skinAt(position);

@@ -13,7 +13,6 @@
 #include "view/rendering/scene.h"
 #include "view/rendering/standard_views.h"
 
-#include <QImage>
 
 #include <memory>
 #include <optional>
@@ -54,8 +53,6 @@ public:
 
     /// What is shown at present, without rings, for pictures drawn elsewhere.
     [[nodiscard]] rendering::Scene pictureScene() const;
-    /// Draws the present moment at full quality without rings; waits for it.
-    [[nodiscard]] QImage grabPicture(QSize size);
     /// The skin that a position in this widget shows, hair ignored; none where the ray misses the head.
     [[nodiscard]] std::optional<sim::SurfacePoint> skinAt(QPointF position) const;
     /// Where a point of the head lies in this widget; none behind the eye.
