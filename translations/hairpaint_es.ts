@@ -740,6 +740,10 @@
         <translation>Suelta para cargar la imagen en %1</translation>
     </message>
     <message>
+        <source>Only an address was dropped: copy the picture itself, and paste it here</source>
+        <translation>Solo has soltado una dirección: copia la imagen misma y pégala aquí</translation>
+    </message>
+    <message>
         <source>Let go to import the hair</source>
         <translation>Suelta para importar el pelo</translation>
     </message>

@@ -44,9 +44,26 @@ void ClipCommands::paste()
         Q_EMIT told(tr("Nothing was copied yet: select a part of a map and copy it first"));
         return;
     }
+    lay(*m_clip);
+}
+
+void ClipCommands::take(const Dropped& dropped)
+{
+    if (!dropped.files.isEmpty()) {
+        Q_EMIT filesWanted(dropped.files);
+    } else if (!dropped.picture.isNull()) {
+        if (const std::optional<model::Clip> clip = m_maps.clipFrom(dropped.picture))
+            lay(*clip);
+    } else if (dropped.isOnTheWeb) {
+        Q_EMIT told(webText());
+    }
+}
+
+void ClipCommands::lay(const model::Clip& clip)
+{
     if (mayChange())
-        m_session.document().push(model::pasteCommand(m_session.document(), m_session.editor().target().address(),
-                                                      *m_clip, m_session.editor().tools().selection()));
+        m_session.document().push(model::pasteCommand(m_session.document(), m_session.editor().target().address(), clip,
+                                                      m_session.editor().tools().selection()));
 }
 
 void ClipCommands::fill()

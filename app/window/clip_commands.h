@@ -3,6 +3,7 @@
 
 #include "app/exchange/map_exchange.h"
 #include "app/session/session.h"
+#include "app/window/dropped_file.h"
 #include "model/tools/clipboard.h"
 
 #include <QObject>
@@ -23,12 +24,13 @@ public:
     void cut();
     void copy();
     void paste();
-    void fill(); ///< With the value that the tools lay.
+    void take(const Dropped& dropped); ///< What was dropped on the window, as paste() takes what was copied.
+    void fill();                       ///< With the value that the tools lay.
     void clear();
 
 Q_SIGNALS:
     void told(const QString& message);          ///< For the status bar.
-    void filesWanted(const QStringList& paths); ///< Files in the clipboard, to be loaded as if they were dropped.
+    void filesWanted(const QStringList& paths); ///< Files in the clipboard, or dropped, to be loaded.
 
 private:
     void offerImage(); ///< Of what was copied, to other programs.
@@ -36,6 +38,7 @@ private:
     [[nodiscard]] bool takeClipboard();
     /// Whether the active layer may be changed; the reason is shown where it may not.
     [[nodiscard]] bool mayChange();
+    void lay(const model::Clip& clip);
     void clearSelected(const QString& text); ///< %1 in the step's text becomes the map's name.
 
     Session& m_session;

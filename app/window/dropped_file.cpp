@@ -5,9 +5,23 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <QStringList>
+#include <QMimeData>
+#include <QUrl>
 
 namespace hairpaint::app {
+
+Dropped whatIsDropped(const QMimeData& data)
+{
+    Dropped dropped;
+    const QList<QUrl> urls = data.urls();
+    for (const QUrl& url : urls)
+        if (url.isLocalFile())
+            dropped.files += url.toLocalFile();
+    if (dropped.files.isEmpty() && data.hasImage())
+        dropped.picture = qvariant_cast<QImage>(data.imageData());
+    dropped.isOnTheWeb = dropped.files.isEmpty() && dropped.picture.isNull() && !urls.isEmpty();
+    return dropped;
+}
 
 FileKind fileKind(const QString& path)
 {
@@ -39,6 +53,19 @@ QString dropText(FileKind kind, const model::MapSpec& map)
         break;
     }
     return QCoreApplication::translate("Drop", "Let go to load the image into %1").arg(map.titleText());
+}
+
+QString dropText(const Dropped& dropped, const model::MapSpec& map)
+{
+    if (dropped.isOnTheWeb)
+        return webText();
+    return dropText(dropped.files.isEmpty() ? FileKind::Image : fileKind(dropped.files.front()), map);
+}
+
+QString webText()
+{
+    return QCoreApplication::translate("Drop",
+                                       "Only an address was dropped: copy the picture itself, and paste it here");
 }
 
 } // namespace hairpaint::app

@@ -1,9 +1,13 @@
-// The kind of a file that is dropped on the window or named on the command line.
+// What is dropped on the window, and the kind of a file that is dropped or named on the command line.
 #pragma once
 
 #include "model/project/map_spec.h"
 
+#include <QImage>
 #include <QString>
+#include <QStringList>
+
+class QMimeData;
 
 namespace hairpaint::app {
 
@@ -16,10 +20,23 @@ enum class FileKind
     Image ///< Whatever is none of the others.
 };
 
+/// What is dragged over the window, of which the first that there is counts.
+struct Dropped
+{
+    QStringList files;       ///< Of this machine.
+    QImage picture;          ///< As browsers have it.
+    bool isOnTheWeb = false; ///< An address alone, from which nothing is fetched.
+    [[nodiscard]] bool isNothing() const { return files.isEmpty() && picture.isNull() && !isOnTheWeb; }
+};
+[[nodiscard]] Dropped whatIsDropped(const QMimeData& data);
+
 /// By its ending.
 [[nodiscard]] FileKind fileKind(const QString& path);
 
 /// What letting go of it will do, in a sentence; an image goes into `map`.
 [[nodiscard]] QString dropText(FileKind kind, const model::MapSpec& map);
+[[nodiscard]] QString dropText(const Dropped& dropped, const model::MapSpec& map);
+/// What to do where only an address is dropped.
+[[nodiscard]] QString webText();
 
 } // namespace hairpaint::app

@@ -375,11 +375,11 @@ void MainWindow::closeEvent(QCloseEvent* event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (!event->mimeData()->hasUrls() || !event->mimeData()->urls().constFirst().isLocalFile())
+    const Dropped dropped = whatIsDropped(*event->mimeData());
+    if (dropped.isNothing())
         return;
     event->acceptProposedAction();
-    const QString path = event->mimeData()->urls().constFirst().toLocalFile();
-    m_workspace->dropHint().showText(dropText(fileKind(path), model::mapSpec(m_session.editor().target().map())));
+    m_workspace->dropHint().showText(dropText(dropped, model::mapSpec(m_session.editor().target().map())));
 }
 
 void MainWindow::dragLeaveEvent(QDragLeaveEvent* /*event*/)
@@ -389,15 +389,12 @@ void MainWindow::dragLeaveEvent(QDragLeaveEvent* /*event*/)
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
-    QStringList paths;
-    for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile())
-            paths += url.toLocalFile();
+    const Dropped dropped = whatIsDropped(*event->mimeData());
     event->acceptProposedAction();
     m_workspace->dropHint().hide();
     // The source program waits for the drop to end; a dialog would keep it waiting.
     QMetaObject::invokeMethod(
-        this, [this, paths] { openFiles(paths); }, Qt::QueuedConnection);
+        this, [this, dropped] { m_clipCommands.take(dropped); }, Qt::QueuedConnection);
 }
 
 void MainWindow::lookAt(std::optional<model::MapKind> map)

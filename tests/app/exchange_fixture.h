@@ -152,6 +152,10 @@ protected:
     {
         QMimeData dragged;
         dragged.setUrls({QUrl::fromLocalFile(file)});
+        drop(dragged);
+    }
+    void drop(QMimeData& dragged)
+    {
         QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(m_window.get(), &enter);
         QVERIFY(enter.isAccepted());

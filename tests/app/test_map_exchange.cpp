@@ -8,12 +8,18 @@
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"
 #include "tests/support/test_program.h"
+#include "view/panels/status_readout.h"
 
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QGuiApplication>
+#include <QLabel>
+#include <QMimeData>
+#include <QUrl>
+
+#include <algorithm>
 
 namespace hairpaint::app {
 
@@ -300,6 +306,37 @@ private Q_SLOTS:
         QCOMPARE(layers().back().raster.texel(middle, middle)[1], std::uint16_t{0});
         trigger("edit.paste");
         QVERIFY(isBlue());
+    }
+
+    void aPictureFromABrowserIsLaidAsIfPasted()
+    {
+        openTold(test::smallProject());
+        editor().target().setMap(model::MapKind::Length);
+        QImage image(64, 64, QImage::Format_RGB32);
+        image.fill(Qt::blue);
+        QMimeData dragged; // As browsers have it: the picture, and where it came from.
+        dragged.setUrls({QUrl(QStringLiteral("https://example.org/hair.png"))});
+        dragged.setImageData(image);
+        drop(dragged);
+        QTRY_COMPARE_WITH_TIMEOUT(stack().count(), 1, kPatienceMs);
+        const int middle = layers().front().raster.size() / 2;
+        QVERIFY(layers().back().raster.texel(middle, middle)[0] > 65500);
+    }
+
+    void anAddressAloneIsToldOf()
+    {
+        openTold(test::smallProject());
+        QMimeData dragged;
+        dragged.setUrls({QUrl(QStringLiteral("https://example.org/hair.png"))});
+        drop(dragged);
+        const auto labels = m_window->findChild<view::StatusReadout*>()->findChildren<QLabel*>();
+        const auto isTold = [&labels] {
+            return std::ranges::any_of(labels, [](const QLabel* label) {
+                return label->text().startsWith(QLatin1String("Only an address was dropped"));
+            });
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isTold(), kPatienceMs);
+        QCOMPARE(stack().count(), 0);
     }
 
     /// The last: nothing switches back to the language of the sources.
