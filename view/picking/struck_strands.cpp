@@ -62,6 +62,7 @@ public:
     {
         const sim::Groom& groom = *m_picture.hair->groom;
         m_asked.clear();
+        m_asked.reserve(slots.size());
         for (std::size_t i = 0; i < slots.size(); ++i)
             m_asked.push_back({.segments = CurveBatch::segmentsASpan(groom, slots[i]), .index = i});
         std::ranges::sort(m_asked);
