@@ -1,4 +1,4 @@
-// Texels by nearest root, then Kaczmarz's projections onto what each cut root should read.
+// Texels by nearest root, then corrected by what each cut root should read.
 #include "model/tools/cut_lengths.h"
 
 #include "model/values/texel_math.h"
@@ -16,11 +16,6 @@ namespace {
 
 constexpr float kSpacings = 2.0F; ///< Of roots: how far from one its texels may lie.
 constexpr float kLeastReachTx = 2.0F, kMostReachTx = 16.0F;
-constexpr int kSweeps = 16;
-constexpr float kErrorM = 1e-4F;       ///< Of a hair's length; then the sweeps end.
-constexpr float kTooLongM = 1e-3F;     ///< A hair that is too long by less is not seen to be;
-constexpr float kReleasedM = 5e-3F;    ///< where one would be by more, those beside it become shorter, too.
-constexpr float kLeastSquares = 1e-3F; ///< Of the weights of texels that may change.
 
 } // namespace
 
@@ -218,32 +213,12 @@ void CutLengths::divide(Work& work) const
         }
 }
 
-float CutLengths::Read::value() const
-{
-    float sum = 0.0F;
-    for (std::size_t k = 0; k < 4; ++k)
-        sum += weights[k] * *texels[k];
-    return sum;
-}
-
-void CutLengths::Read::move(float by)
-{
-    float squares = 0.0F;
-    for (std::size_t k = 0; k < 4; ++k)
-        squares += *masks[k] != 0 ? weights[k] * weights[k] : 0.0F;
-    if (squares < kLeastSquares)
-        return;
-    for (std::size_t k = 0; k < 4; ++k)
-        if (*masks[k] != 0)
-            *texels[k] = std::clamp(*texels[k] + by * weights[k] / squares, 0.0F, before[k]);
-}
-
-CutLengths::Read CutLengths::readAt(std::uint32_t root)
+LengthRead CutLengths::readAt(std::uint32_t root)
 {
     const glm::ivec2 first = m_roots[root].first;
     const glm::vec2 fraction = m_roots[root].fraction;
     const int last = m_shown->size() - 1;
-    Read read;
+    LengthRead read;
     float now = 0.0F;
     for (std::size_t k = 0; k < 4; ++k) {
         const int x = std::min(first.x + static_cast<int>(k % 2), last);
@@ -260,39 +235,56 @@ CutLengths::Read CutLengths::readAt(std::uint32_t root)
     return read;
 }
 
-/// S. Kaczmarz, Angenaeherte Aufloesung von Systemen linearer Gleichungen, 1937: each root in turn moves the texels
-/// that it is read from by the least that gives what it should read.
 void CutLengths::correct(bool spares)
 {
     const float perM = 65535.0F / m_rangeM;
-    std::vector<Read> reads;
+    std::vector<LengthRead> reads;
     reads.reserve(m_cutRoots.size());
     for (const std::uint32_t root : m_cutRoots)
         reads.push_back(readAt(root));
-    float worst = std::numeric_limits<float>::max();
-    for (int sweep = 0; sweep < kSweeps && worst > kErrorM * perM; ++sweep) {
-        worst = 0.0F;
-        for (Read& read : reads) {
-            const float error = read.wanted - read.value();
-            worst = std::max(worst, std::abs(error));
-            read.move(error);
-        }
-    }
-    if (spares)
+    bringToWanted(reads, perM);
+    if (spares || !releaseTooLong(reads, perM))
         return;
-    worst = std::numeric_limits<float>::max();
-    for (int sweep = 0; sweep < kSweeps && worst > kTooLongM * perM; ++sweep) {
-        worst = 0.0F;
-        for (Read& read : reads) {
-            const float excess = read.value() - read.wanted;
-            worst = std::max(worst, excess);
-            if (excess > kReleasedM * perM)
-                for (std::uint16_t* mask : read.masks)
-                    *mask = 65535;
-            if (excess > kTooLongM * perM)
-                read.move(-excess);
+    std::vector<LengthRead> beside = readsBeside();
+    shortenTooLong(reads, beside, perM);
+}
+
+/// Of roots that are not cut and read texels which cuts may change.
+std::vector<LengthRead> CutLengths::readsBeside()
+{
+    const int last = m_shown->size() - 1;
+    const auto changes = [&](glm::ivec2 first, int k) {
+        const int x = std::min(first.x + k % 2, last);
+        const int y = std::min(first.y + k / 2, last);
+        const int work = m_workOfTile[static_cast<std::size_t>(m_shown->tileIndexAt(x, y))];
+        const auto texel = static_cast<std::size_t>(y % kTile) * kTile + static_cast<std::size_t>(x % kTile);
+        return work >= 0 && m_works[static_cast<std::size_t>(work)].mask[texel] != 0;
+    };
+    std::vector<LengthRead> reads;
+    for (const int tile : m_tiles) // A cut root's tiles reach further than texels that it frees.
+        for (std::uint32_t root = m_firstOfTile[static_cast<std::size_t>(tile)];
+             root < m_firstOfTile[static_cast<std::size_t>(tile) + 1]; ++root) {
+            const glm::ivec2 first = m_roots[root].first;
+            if (m_kept[root] == 1.0F &&
+                (changes(first, 0) || changes(first, 1) || changes(first, 2) || changes(first, 3)))
+                reads.push_back(readAt(root));
         }
-    }
+    return reads;
+}
+
+float CutLengths::keptAt(int x, int y) const
+{
+    const int work = m_workOfTile[static_cast<std::size_t>(m_shown->tileIndexAt(x, y))];
+    if (work < 0)
+        return 1.0F;
+    const Work& there = m_works[static_cast<std::size_t>(work)];
+    const auto texel = static_cast<std::size_t>(y % kTile) * kTile + static_cast<std::size_t>(x % kTile);
+    if (there.mask[texel] == 0)
+        return 1.0F;
+    const auto lengthM = [this](std::uint16_t value) {
+        return m_shortestM + m_rangeM * static_cast<float>(value) / 65535.0F;
+    };
+    return lengthM(there.values[texel]) / std::max(lengthM(m_shown->texel(x, y)[0]), 1e-6F);
 }
 
 } // namespace hairpaint::model

@@ -1,11 +1,11 @@
 // The length map that cuts single strands, and leaves those beside them as they are.
 #pragma once
 
+#include "model/tools/length_reads.h"
 #include "model/tools/stroke_buffer.h"
 #include "sim/groom/map_slot.h"
 #include "sim/motion/strand_frame.h"
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,7 +23,7 @@ struct StrandCut
 /// except the ones that the map is read from at a root that is not cut; then they are corrected until the map, read
 /// between its texels at each root that is cut, gives the length that it should. Where there are more roots than texels
 /// not all can be had: no hair stays longer than it is cut then, and some become shorter, also of those that are not
-/// cut. One thread; cut() uses parallelFor.
+/// cut, but only as far as no texel that matters less to them could be lowered. One thread; cut() uses parallelFor.
 class CutLengths
 {
 public:
@@ -38,6 +38,10 @@ public:
     /// Of one of those tiles: which texels the cuts change, and their values.
     [[nodiscard]] const MaskTile& mask(int tileIndex) const { return m_works[workOf(tileIndex)].mask; }
     [[nodiscard]] const std::uint16_t* values(int tileIndex) const { return m_works[workOf(tileIndex)].values.data(); }
+    /// At any texel: the fraction of its length that stays.
+    [[nodiscard]] float keptAt(int x, int y) const;
+    [[nodiscard]] int size() const { return m_shown->size(); } ///< Of the map, texels a side.
+    [[nodiscard]] sim::TexelRect tileRect(int tileIndex) const { return m_shown->tileRect(tileIndex); }
 
 private:
     /// A positioned hair's, by tile.
@@ -47,19 +51,6 @@ private:
         glm::ivec2 first{0};      ///< The upper left one of the four texels that are read there.
         glm::vec2 fraction{0.0F}; ///< From its centre toward the lower right one's.
         [[nodiscard]] glm::vec2 positionTx() const { return glm::vec2(first) + fraction; }
-    };
-    /// What the map is read from at a root that is cut.
-    struct Read
-    {
-        std::array<float*, 4> texels{};
-        std::array<std::uint16_t*, 4> masks{};
-        std::array<float, 4> weights{};
-        std::array<float, 4> before{};
-        float wanted = 0.0F;
-
-        [[nodiscard]] float value() const;
-        /// By the least that takes the value there, as far as the texels may change.
-        void move(float by);
     };
     /// A tile that is worked on.
     struct Work
@@ -77,10 +68,11 @@ private:
     }
     [[nodiscard]] float cutValue(float value, float kept) const;
     void findTiles();
-    [[nodiscard]] Read readAt(std::uint32_t root);
+    [[nodiscard]] LengthRead readAt(std::uint32_t root);
     void findOwners(int tile);
     void divide(Work& work) const;
     void correct(bool spares);
+    [[nodiscard]] std::vector<LengthRead> readsBeside();
 
     sim::MapRaster m_shown;
     float m_shortestM = 0.0F, m_rangeM = 1.0F; ///< Of the length map.

@@ -1,6 +1,7 @@
 // Scissors: hair is cut where a line over the picture of the 3D area crosses it, or inside a lasso.
 #include "model/tools/cut_lengths.h"
 #include "model/tools/cut_pieces.h"
+#include "model/tools/cut_tips.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirrored_roots.h"
 #include "model/tools/picker_tool.h"
@@ -141,6 +142,7 @@ private:
     std::optional<StrandLengths> m_present; ///< Before this cut.
     std::vector<float> m_presentM;          ///< What it gave, by slot; below 0: not asked for yet.
     std::optional<CutLengths> m_lengths;
+    std::optional<CutTips> m_tips;
     std::vector<StrandCut> m_cuts; ///< Of the hair that was seen.
     std::vector<CutPiece> m_cutOff;
     CutKind m_kind = CutKind::Line;
@@ -164,6 +166,7 @@ void ScissorsTool::pressPicture(const PictureEvent& event, ToolContext& context)
     m_present.emplace(context.document, context.target.group, hair->groom->roots);
     m_presentM.assign(hair->groom->roots->count(), -1.0F);
     m_lengths.emplace(*hair, std::move(length));
+    m_tips = CutTips::in(m_edit, context);
     if (context.mirror)
         m_mirrored = mirroredRoots(*hair);
 }
@@ -265,6 +268,8 @@ void ScissorsTool::show()
         keepInside(m_edit.clips(), m_edit.before().tileRect(index), mask);
         return paintTile(m_edit.spec(), before, mask, {.values = m_lengths->values(index)});
     });
+    if (m_tips)
+        m_tips->show(m_edit, *m_lengths);
 }
 
 void ScissorsTool::drop()
@@ -272,6 +277,7 @@ void ScissorsTool::drop()
     m_seen.reset();
     m_present.reset();
     m_lengths.reset();
+    m_tips.reset();
     m_mirrored.clear();
     m_cuts.clear();
     m_line.clear();

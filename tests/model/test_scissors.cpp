@@ -7,6 +7,7 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -36,8 +37,9 @@ Project hairyPatch(int mapSize, float lengthVariation)
 
 struct Barber : Studio
 {
-    explicit Barber(int mapSize = 512, float lengthVariation = 0.0F)
-        : Studio(hairyPatch(mapSize, lengthVariation)), view(live.settled(document.groomInput(), 0.5)), before(shown())
+    explicit Barber(int mapSize = 512, float lengthVariation = 0.0F) : Barber(hairyPatch(mapSize, lengthVariation)) {}
+    explicit Barber(Project project)
+        : Studio(std::move(project)), view(live.settled(document.groomInput(), 0.5)), before(shown())
     {}
     ToolContext context()
     {
@@ -149,14 +151,55 @@ private Q_SLOTS:
             exact += std::abs(longerM) < 0.005F ? 1 : 0;
         }
         QVERIFY2(exact > static_cast<int>(crossed.size()) / 2, qPrintable(QString::number(exact)));
+        // Of more than a thousand beside, few become so much shorter that it is seen.
+        const Slots cut = slotsOf(crossed);
+        const auto positioned = barber.positioned();
+        const auto shorter = std::ranges::count_if(positioned, [&](std::uint32_t slot) {
+            return !cut.contains(slot) && (1.0F - barber.kept(slot)) * kLengthM > 0.005F;
+        });
+        QVERIFY2(shorter < 22, qPrintable(QString::number(shorter)));
         // Thinning spares the hairs between.
         barber.document.undo();
         barber.settings.cutFraction = 0.5F;
-        const Slots cut = slotsOf(crossed);
         barber.cut(kFrom, kTo);
         for (const std::uint32_t slot : barber.positioned())
             if (!cut.contains(slot))
                 QCOMPARE(barber.kept(slot), 1.0F);
+    }
+
+    void tipColoursStayWhereTheyWereSeen()
+    {
+        constexpr float kTipFrom = 0.5F;
+        constexpr float kLengthM = 0.12F;
+        Project project = hairyPatch(512, 0.0F);
+        HairGroup& group = project.groups.front();
+        group.settings.material.tipFrom = kTipFrom;
+        sim::TiledRaster& tip = group.map(MapKind::TipColour).layers.front().raster;
+        for (int index = 0; index < tip.tileCount(); ++index)
+            tip.setUniform(index, {65535, 0, 0, 65535});
+        Barber barber(std::move(project));
+        barber.settings.cutThrough = true;
+        const auto starts = [&barber] {
+            return barber.document.resolvedNow(barber.document.project().groups.front().id, MapKind::TipStart);
+        };
+        const auto before = starts();
+        const std::vector<SeenStrand> crossed = barber.view.crossing(std::array{kFrom, kTo}, true);
+        barber.cut(kFrom, kTo);
+        const auto after = starts();
+        const Slots cut = slotsOf(crossed);
+        for (const SeenStrand& strand : crossed) {
+            const float start = after->sampleScalar(barber.groom().roots->uv[strand.slot]);
+            const float fromM = (kTipFrom + (1.0F - kTipFrom) * start) * barber.kept(strand.slot) * kLengthM;
+            const float wantedM = std::min(kTipFrom, strand.fraction) * kLengthM;
+            QVERIFY2(std::abs(fromM - wantedM) < 0.002F,
+                     qPrintable(QStringLiteral("%1 %2").arg(double(fromM)).arg(double(wantedM))));
+        }
+        for (const std::uint32_t slot : barber.positioned())
+            if (!cut.contains(slot))
+                QCOMPARE(after->sampleScalar(barber.groom().roots->uv[slot]), 0.0F);
+        QCOMPARE(barber.document.undoStack().count(), 1);
+        barber.document.undo();
+        QVERIFY(*starts() == *before);
     }
 
     void whatIsSeenWhileTheLineIsDrawnIsWhatStays()

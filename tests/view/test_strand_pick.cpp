@@ -41,15 +41,16 @@ struct HairyPicture : HeadFixture
                 slots.push_back(slot);
         return slots;
     }
-    /// `finer` times as many segments as are drawn at least.
+    /// `finer` times as many segments as are drawn at least, the same number between all nodes.
     [[nodiscard]] std::vector<glm::vec3> curveWo(std::uint32_t slot, int finer = 1) const
     {
         const sim::Groom& groom = *hair().groom;
         std::vector<glm::vec3> nodes(static_cast<std::size_t>(groom.nodes)), points;
         groom.blocks().read(hair().positions, groom.frameStrand(slot), nodes);
+        const int spans = groom.nodes - 1;
+        const int drawn = sim::segmentsOf(groom.style(slot), groom.nodes, sim::coilsOf(groom.settings));
         sim::evaluateStrand(nodes, sim::frameTangentHd(groom, slot), groom.style(slot),
-                            finer * sim::segmentsOf(groom.style(slot), groom.nodes, sim::coilsOf(groom.settings)),
-                            points, sim::coilsOf(groom.settings));
+                            finer * spans * ((drawn + spans - 1) / spans), points, sim::coilsOf(groom.settings));
         return points;
     }
     [[nodiscard]] std::vector<QPointF> curve(std::uint32_t slot, int finer = 1) const
@@ -238,7 +239,9 @@ private Q_SLOTS:
         const auto held = pick.held();
         QVERIFY(!pick.crossing(kLine, true).empty());
         QCOMPARE(pick.held(), held);
+        QVERIFY(!pick.under(QPointF(kMiddle), 50.0).empty());
         source.frame = movedBy(*source.frame, 1.0F);
+        QVERIFY(pick.under(QPointF(kMiddle), 50.0).empty());
         QVERIFY(pick.crossing(kLine, true).empty());
         QVERIFY(!held->crossing(kLine, true).empty());
         source.frame = nullptr;

@@ -75,20 +75,18 @@ void addCandidates(const PictureHair& picture, const TouchedBlocks& touched, std
 }
 
 /// The lanes of a batch whose curves meet the brush.
-std::uint32_t lanesMet(const CurveBatch& batch, std::uint32_t lanes, const PictureBrush& brush)
+std::uint32_t lanesMet(CurveBatch& batch, std::uint32_t lanes, const PictureBrush& brush)
 {
+    const std::span<const std::uint32_t> near = batch.near(brush.box);
     std::uint32_t met = 0;
-    for (std::size_t point = 1; point < batch.pointCount() && met != lanes; ++point) {
-        const float* from = batch.seen(point - 1);
-        const float* to = batch.seen(point);
-        const auto at = [](const float* row, std::size_t lane) { return glm::vec2(row[lane], row[kPickLanes + lane]); };
-        for (std::uint32_t near = lanes & ~met & lanesMeeting(from, to, brush.box, kNoLimitM); near != 0;
-             near &= near - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(near));
-            if (nearestOf(at(from, lane), at(to, lane), brush.from, brush.to).apart <= brush.radiusPx)
+    for (std::size_t point = 1; point < near.size() && met != lanes; ++point)
+        for (std::uint32_t left = lanes & ~met & near[point]; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            const glm::vec2 from(batch.seen(point - 1, lane));
+            const glm::vec2 to(batch.seen(point, lane));
+            if (nearestOf(from, to, brush.from, brush.to).apart <= brush.radiusPx)
                 met |= 1U << lane;
         }
-    }
     return met;
 }
 

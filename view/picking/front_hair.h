@@ -14,7 +14,7 @@ class FrontHair
 {
 public:
     FrontHair(const PictureBox& box, float cellPx)
-        : m_box(box), m_cellPx(cellPx), m_across(cells(box.right - box.left)),
+        : m_box(box), m_cellPx(cellPx), m_perPx(1.0F / cellPx), m_across(cells(box.right - box.left)),
           m_cells(m_across * cells(box.bottom - box.top))
     {
         for (Cell& cell : m_cells)
@@ -26,10 +26,11 @@ public:
     {
         const glm::vec3 way = to - from;
         const float longest = std::max(std::abs(way.x), std::abs(way.y));
-        const auto steps = static_cast<int>(std::min(longest / m_cellPx, 64.0F)) + 1;
+        const auto steps = static_cast<int>(std::min(longest * m_perPx, 64.0F)) + 1;
+        const float step = 1.0F / static_cast<float>(steps);
         std::size_t last = kNoCell;
         for (int i = 0; i < steps; ++i) {
-            const glm::vec3 point = from + way * ((static_cast<float>(i) + 0.5F) / static_cast<float>(steps));
+            const glm::vec3 point = from + way * ((static_cast<float>(i) + 0.5F) * step);
             const std::size_t cell = cellOf(point);
             if (cell != last && cell != kNoCell && point.z > 0.0F)
                 insert(m_cells[cell], point.z);
@@ -69,13 +70,13 @@ private:
     static constexpr std::size_t kNoCell = ~std::size_t{0};
     using Cell = std::array<float, 2>; ///< The least depths, ascending.
 
-    [[nodiscard]] std::size_t cells(float px) const { return static_cast<std::size_t>(px / m_cellPx) + 1; }
+    [[nodiscard]] std::size_t cells(float px) const { return static_cast<std::size_t>(px * m_perPx) + 1; }
     [[nodiscard]] std::size_t cellOf(glm::vec3 seen) const
     {
         if (!(seen.x >= m_box.left) || seen.x > m_box.right || !(seen.y >= m_box.top) || seen.y > m_box.bottom)
             return kNoCell;
-        return static_cast<std::size_t>((seen.y - m_box.top) / m_cellPx) * m_across +
-               static_cast<std::size_t>((seen.x - m_box.left) / m_cellPx);
+        return static_cast<std::size_t>((seen.y - m_box.top) * m_perPx) * m_across +
+               static_cast<std::size_t>((seen.x - m_box.left) * m_perPx);
     }
     static void insert(Cell& cell, float depth)
     {
@@ -85,7 +86,7 @@ private:
     }
 
     PictureBox m_box;
-    float m_cellPx;
+    float m_cellPx, m_perPx;
     std::size_t m_across;
     std::vector<Cell> m_cells;
 };

@@ -1,10 +1,11 @@
-// Projects every node of every positioned block, sixteen strands at once.
+// A box from every node of every positioned block.
 #include "view/picking/hair_boxes.h"
 
 #include "sim/base/parallel.h"
 #include "sim/groom/strand_curve.h"
+#include "view/picking/block_kernel.h"
 
-#include <array>
+#include <algorithm>
 #include <bit>
 
 namespace hairpaint::view {
@@ -53,11 +54,11 @@ HairBoxes::HairBoxes(const sim::GroupFrame& group, const Lens& lens)
                     blocks.push_back(
                         {.firstSlot = static_cast<std::uint32_t>(chunk * sim::kChunkSlots + block * kPickLanes)});
     spans = (nodes - 1 + kSpan - 1) / kSpan;
+    wholes.resize(blocks.size());
     boxes.resize(blocks.size() * spans);
-    nearestM.assign(boxes.size(), 1e9F);
+    nearestM.resize(boxes.size());
     strays.resize(blocks.size() * kPickLanes);
     sim::parallelFor(blocks.size(), kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
-        std::array<float, 3 * kPickLanes> seen{};
         for (std::size_t i = begin; i < end; ++i) {
             Block& block = blocks[i];
             block.lanes = positionedLanes(group, block.firstSlot);
@@ -67,30 +68,17 @@ HairBoxes::HairBoxes(const sim::GroupFrame& group, const Lens& lens)
                 strays[i * kPickLanes + lane] = strayM(groom, block.firstSlot + lane);
                 farthestM = std::max(farthestM, strays[i * kPickLanes + lane]);
             }
-            const float* node = group.positions.data() + groom.blocks().index(groom.frameStrand(block.firstSlot), 0);
-            float leastM = 1e9F;
-            for (std::size_t n = 0; n < nodes; ++n, node += sim::StrandBlocks::kNodeStride) {
-                lens.seen(node, seen.data());
-                PictureBox box;
-                float nodeM = 1e9F;
-                for (std::uint32_t lanes = block.lanes; lanes != 0; lanes &= lanes - 1) {
-                    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-                    if (seen[2 * kPickLanes + lane] <= 0.0F)
-                        continue;
-                    box.add(glm::vec2(seen[lane], seen[kPickLanes + lane]));
-                    nodeM = std::min(nodeM, seen[2 * kPickLanes + lane]);
-                }
-                // A node between two spans ends the one and begins the other.
-                const std::size_t after = std::min(n / kSpan, spans - 1);
-                const std::size_t before = n > 0 ? (n - 1) / kSpan : 0;
-                for (std::size_t span = before; span <= after; ++span) {
-                    boxes[i * spans + span].add(box);
-                    nearestM[i * spans + span] = std::min(nearestM[i * spans + span], nodeM - farthestM);
-                }
-                leastM = std::min(leastM, nodeM);
+            BlockQuestion question;
+            question.nodesWo = group.positions.data() + groom.blocks().index(groom.frameStrand(block.firstSlot), 0);
+            question.nodes = nodes;
+            question.lanes = block.lanes;
+            findBoxes(lens, question, boxes.data() + i * spans, nearestM.data() + i * spans);
+            const float leastM = *std::min_element(nearestM.data() + i * spans, nearestM.data() + (i + 1) * spans);
+            for (std::size_t span = i * spans; span < (i + 1) * spans; ++span) {
+                boxes[span] = boxes[span].widened(farthestM * lens.pxPerM(leastM));
+                nearestM[span] -= farthestM;
+                wholes[i].add(boxes[span]);
             }
-            for (std::size_t span = 0; span < spans; ++span)
-                boxes[i * spans + span] = boxes[i * spans + span].widened(farthestM * lens.pxPerM(leastM));
         }
     });
 }

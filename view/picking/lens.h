@@ -42,26 +42,16 @@ public:
         const float scale = pxPerM(depth);
         return {m_half.x + inView.x * scale, m_half.y - inView.y * scale, depth};
     }
-    /// The same for a node of a block: [3][kPickLanes] in and out.
-    void seen(const float* nodeWo, float* to) const
-    {
-        for (std::size_t lane = 0; lane < kPickLanes; ++lane) {
-            const float x = nodeWo[lane];
-            const float y = nodeWo[kPickLanes + lane];
-            const float z = nodeWo[2 * kPickLanes + lane];
-            const float depth = -(m_view[0][2] * x + m_view[1][2] * y + m_view[2][2] * z + m_view[3][2]);
-            const float scale = m_px / (depth > kNearestM ? depth : kNearestM);
-            to[lane] = m_half.x + (m_view[0][0] * x + m_view[1][0] * y + m_view[2][0] * z + m_view[3][0]) * scale;
-            to[kPickLanes + lane] =
-                m_half.y - (m_view[0][1] * x + m_view[1][1] * y + m_view[2][1] * z + m_view[3][1]) * scale;
-            to[2 * kPickLanes + lane] = depth;
-        }
-    }
     /// px of a metre across the view at that depth.
     [[nodiscard]] float pxPerM(float depthM) const { return m_px / std::max(depthM, kNearestM); }
 
-private:
+    /// For kernels: seen() is half + (x, -y) in the view * px / depth.
     static constexpr float kNearestM = 1e-4F;
+    [[nodiscard]] const glm::mat4& view() const { return m_view; }
+    [[nodiscard]] glm::vec2 half() const { return m_half; }
+    [[nodiscard]] float px() const { return m_px; }
+
+private:
     glm::mat4 m_view;
     glm::vec2 m_half;
     float m_px;

@@ -18,6 +18,7 @@ class LineRows
 public:
     LineRows(std::span<const QPointF> points, bool closed);
 
+    [[nodiscard]] const PictureBox& box() const { return m_box; } ///< All of it.
     [[nodiscard]] bool mayMeet(const PictureBox& box) const;
     /// Where a segment first meets it, 0..1 along the segment.
     [[nodiscard]] std::optional<float> firstMeeting(glm::vec2 from, glm::vec2 to) const;

@@ -6,9 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 
 namespace hairpaint::view {
 
@@ -70,30 +68,6 @@ struct Nearest
         if (const float apart = apartAt(fraction); apart < best.apart)
             best = {.fraction = fraction, .apart = apart};
     return best;
-}
-
-/// Of a block's segments between two nodes, those whose boxes meet a box, before the eye and no deeper than `deepestM`:
-/// a bit a lane.
-[[nodiscard]] inline std::uint32_t lanesMeeting(const float* from, const float* to, const PictureBox& box,
-                                                float deepestM)
-{
-    std::array<std::uint32_t, kPickLanes> flags{};
-    for (std::size_t x = 0; x < kPickLanes; ++x) {
-        const std::size_t y = kPickLanes + x;
-        const std::size_t z = 2 * kPickLanes + x;
-        const float left = from[x] < to[x] ? from[x] : to[x];
-        const float right = from[x] < to[x] ? to[x] : from[x];
-        const float top = from[y] < to[y] ? from[y] : to[y];
-        const float bottom = from[y] < to[y] ? to[y] : from[y];
-        const float nearest = from[z] < to[z] ? from[z] : to[z];
-        flags[x] = static_cast<std::uint32_t>(left <= box.right) & static_cast<std::uint32_t>(right >= box.left) &
-                   static_cast<std::uint32_t>(top <= box.bottom) & static_cast<std::uint32_t>(bottom >= box.top) &
-                   static_cast<std::uint32_t>(nearest > 0.0F) & static_cast<std::uint32_t>(nearest <= deepestM);
-    }
-    std::uint32_t lanes = 0;
-    for (std::size_t lane = 0; lane < kPickLanes; ++lane)
-        lanes |= flags[lane] << lane;
-    return lanes;
 }
 
 } // namespace hairpaint::view

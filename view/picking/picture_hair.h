@@ -1,6 +1,7 @@
 // The hair of a group in one picture of the 3D area: what every question about it needs.
 #pragma once
 
+#include "view/picking/block_kernel.h"
 #include "view/picking/hair_boxes.h"
 #include "view/picking/skin_depths.h"
 
@@ -21,6 +22,18 @@ struct PictureHair
     /// The drawn curve of a positioned hair: Wo, root first.
     void drawnCurve(std::uint32_t slot, std::vector<glm::vec3>& points) const;
     [[nodiscard]] sim::SurfacePoint rootOf(std::uint32_t slot) const;
+    /// A block of the boxes' and its strands, and nowhere to look yet.
+    [[nodiscard]] BlockQuestion questionOf(std::size_t block) const
+    {
+        const sim::Groom& groom = *hair->groom;
+        const std::size_t first = groom.frameStrand(boxes.blocks[block].firstSlot);
+        BlockQuestion question;
+        question.nodesWo = hair->positions.data() + groom.blocks().index(first, 0);
+        question.nodes = static_cast<std::size_t>(groom.nodes);
+        question.straysM = boxes.strays.data() + block * kPickLanes;
+        question.lanes = boxes.blocks[block].lanes;
+        return question;
+    }
     [[nodiscard]] glm::vec3 inHead(glm::vec3 positionWo) const
     {
         return glm::conjugate(pose.rotation) * (positionWo - pose.positionWo);
@@ -34,7 +47,11 @@ struct PictureHair
 template<class T>
 [[nodiscard]] std::vector<T> joined(const std::vector<std::vector<T>>& parts)
 {
+    std::size_t count = 0;
+    for (const std::vector<T>& part : parts)
+        count += part.size();
     std::vector<T> whole;
+    whole.reserve(count);
     for (const std::vector<T>& part : parts)
         whole.insert(whole.end(), part.begin(), part.end());
     return whole;

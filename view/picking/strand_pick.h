@@ -4,6 +4,8 @@
 #include "view/picking/hair_picture.h"
 
 #include <functional>
+#include <optional>
+#include <vector>
 
 namespace hairpaint::view {
 
@@ -13,10 +15,7 @@ class StrandPick : public model::SeenHair
 public:
     explicit StrandPick(std::function<PictureSource()> source) : m_source(std::move(source)) {}
 
-    [[nodiscard]] std::vector<model::SeenStrand> under(QPointF centre, double radiusPx) const override
-    {
-        return picture().under(centre, radiusPx);
-    }
+    [[nodiscard]] std::vector<model::SeenStrand> under(QPointF centre, double radiusPx) const override;
     [[nodiscard]] std::vector<model::SeenStrand> passed(QPointF from, QPointF to, double radiusPx) const override
     {
         return picture().passed(from, to, radiusPx);
@@ -37,6 +36,13 @@ public:
 private:
     std::function<PictureSource()> m_source;
     mutable std::shared_ptr<const HairPicture> m_picture;
+    struct Disc
+    {
+        QPointF centre;
+        double radiusPx = 0.0;
+        std::vector<model::SeenStrand> strands;
+    };
+    mutable std::optional<Disc> m_disc; ///< Last asked for of that picture: a move of the pointer asks twice.
 };
 
 } // namespace hairpaint::view
