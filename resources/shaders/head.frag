@@ -7,6 +7,7 @@ in vec4 marks; // Sky, lips, lids, blush.
 in vec4 tint; // Of the scalp, times its cover.
 layout(location = 0) out vec4 rootColour;
 #ifdef SOLID
+layout(location = 1) out float worn; // 1: hair does not show through it.
 in vec2 solidUv;
 uniform sampler2D solidTexture;
 uniform vec4 solidTextured; // x: 1 where it has a texture; y: the least alpha that is drawn.
@@ -114,4 +115,7 @@ void main()
     }
     colour += sheen * gloss;
     rootColour = vec4(sqrt(heldLight(colour)), 1.0);
+#ifdef SOLID
+    worn = 1.0;
+#endif
 }

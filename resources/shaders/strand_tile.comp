@@ -8,6 +8,7 @@ layout(std430, binding = 2) readonly buffer Begins { uint begins[]; };
 layout(std430, binding = 3) readonly buffer Entries { uvec2 entries[]; };
 layout(std430, binding = 4) coherent buffer Sorted { uvec2 sorted[]; };
 layout(binding = 2) uniform sampler2D headDepth;
+layout(binding = 3) uniform sampler2D wornMask; // 1 where what is worn is seen.
 layout(rgba16f, binding = 0) writeonly uniform image2D hairSeen; // Light; what is left to see through.
 
 uniform ivec2 tiles;
@@ -19,6 +20,8 @@ const uint kLanes = 64u;
 const uint kBins = 512u;
 // Hair that lies flat dips into the skin here and there; it is shown all the same.
 const float kSkinDepthM = 0.015;
+// What is worn hides the hair that it presses down.
+const float kWornDepthM = 0.0005;
 
 shared uint bins[kBins];
 shared uint sums[kLanes];
@@ -156,7 +159,8 @@ void main()
         sortEntries(first, count, lane);
 
     float headDepthThere = inside ? texelFetch(headDepth, at, 0).x : 1.0;
-    float head = headDepthThere < 1.0 ? depthOf(linearDepth(headDepthThere) + kSkinDepthM) : 1e9;
+    float behind = inside && texelFetch(wornMask, at, 0).x > 0.5 ? kWornDepthM : kSkinDepthM;
+    float head = headDepthThere < 1.0 ? depthOf(linearDepth(headDepthThere) + behind) : 1e9;
     vec2 middle = vec2(at) + 0.5;
     vec3 light = vec3(0.0);
     float left = inside ? 1.0 : 0.0;

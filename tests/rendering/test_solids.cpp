@@ -101,6 +101,21 @@ private Q_SLOTS:
         }
     }
 
+    /// Hair dips into skin, but not into what presses it down.
+    void hairCloseBehindShowsThroughSkinAlone()
+    {
+        constexpr float kBehindM = 0.005F;
+        Scene scene = emptyScene();
+        scene.hair = makeFrame(comb(0xFF20C020U, 300), plainSettings());
+        scene.head = makeBall({kBall.x, kBall.y, kBehindM});
+        const auto isGreen = [](glm::ivec3 pixel) { return pixel.y > pixel.x + 30 && pixel.y > pixel.z + 30; };
+        for (const Picture& picture : drawnByBoth(scene))
+            QVERIFY(isGreen(pixelAt(picture, 0.0F, 0.0F)));
+        scene.solids = {redSolid({0.0F, 0.0F, 2.0F * kBehindM - 0.02F})};
+        for (const Picture& picture : drawnByBoth(scene))
+            QVERIFY(isRed(pixelAt(picture, 0.0F, 0.0F)));
+    }
+
     void itGoesWithTheHead()
     {
         Scene scene = emptyScene();

@@ -228,7 +228,7 @@ bool GlRenderer::drawPiece(Picture& picture, int rows)
                            picture.complete;
         return true;
     }
-    return state.tiles.layRows(state.hair->projected(), state.head->depth(), rows);
+    return state.tiles.layRows(state.hair->projected(), state.head->depth(), state.head->worn(), rows);
 }
 
 /// Draws the head and readies the hair's pieces, of `piecePoints` at most.

@@ -6,6 +6,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -138,20 +139,28 @@ bool HeadLayer::draw(const Scene& scene, bool coarse, const FrameConstants& cons
     const auto height = static_cast<int>(constants.target.y);
     m_colour.resize2D(GL_RGBA8, width, height);
     m_depth.resize2D(GL_DEPTH_COMPONENT32F, width, height);
+    m_worn.resize2D(GL_R8, width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_colour.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, m_worn.id(), 0);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, m_depth.id(), 0);
+    constexpr std::array<unsigned, 2> kColourAndWorn{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    glDrawBuffers(2, kColourAndWorn.data());
     glViewport(0, 0, width, height);
     const float nothing[] = {0.0F, 0.0F, 0.0F, 0.0F};
     const float far = 1.0F;
     glClearBufferfv(GL_COLOR, 0, nothing);
+    glClearBufferfv(GL_COLOR, 1, nothing);
     glClearBufferfv(GL_DEPTH, 0, &far);
+    glDrawBuffers(1, kColourAndWorn.data());
     if (mesh.indexCount > 0) {
         m_program.use();
         glVertexAttrib4f(3, 0.0F, 0.0F, 0.0F, 0.0F); // Where nothing tints.
         mesh.draw();
     }
+    glDrawBuffers(2, kColourAndWorn.data());
     drawSolids();
+    glDrawBuffers(1, kColourAndWorn.data());
     if (m_cards)
         m_cardLayer.draw(m_cards);
     return true;

@@ -25,6 +25,7 @@ public:
     /// Binds colour and depth to two texture units.
     void bind(unsigned colourUnit, unsigned depthUnit) const;
     [[nodiscard]] const Texture& depth() const { return m_depth; }
+    [[nodiscard]] const Texture& worn() const { return m_worn; } ///< 1 where a solid is seen.
 
 private:
     explicit HeadLayer(CardLayer cards) : m_cardLayer(std::move(cards)) {}
@@ -58,6 +59,7 @@ private:
     Framebuffer m_framebuffer;
     Texture m_colour;
     Texture m_depth;
+    Texture m_worn;
     std::shared_ptr<const sim::HeadMesh> m_head;
     std::shared_ptr<const CardSet> m_cards;
     std::vector<Solid> m_solids;

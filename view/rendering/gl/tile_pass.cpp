@@ -80,7 +80,7 @@ bool TilePass::bin(const FrameConstants& constants, const Buffer& projected, std
     return m_capacity >= entries;
 }
 
-bool TilePass::layRows(const Buffer& projected, const Texture& headDepth, int rows)
+bool TilePass::layRows(const Buffer& projected, const Texture& headDepth, const Texture& worn, int rows)
 {
     if (m_nextRow == m_tiles.y)
         return false;
@@ -91,6 +91,7 @@ bool TilePass::layRows(const Buffer& projected, const Texture& headDepth, int ro
     m_entries.bindStorage(3);
     m_sorted.bindStorage(4);
     headDepth.bind(2);
+    worn.bind(3);
     glBindImageTexture(0, m_light.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
     m_lay.use();
     m_lay.set("tiles", m_tiles);

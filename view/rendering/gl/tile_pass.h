@@ -21,7 +21,7 @@ public:
     /// out.
     [[nodiscard]] bool bin(const FrameConstants& constants, const Buffer& projected, std::size_t points);
     /// After bin(): lays the next `rows` rows of tiles. False where none was left.
-    [[nodiscard]] bool layRows(const Buffer& projected, const Texture& headDepth, int rows);
+    [[nodiscard]] bool layRows(const Buffer& projected, const Texture& headDepth, const Texture& worn, int rows);
     /// 0..1: how much of the rows is laid.
     [[nodiscard]] double progress() const;
     /// Light of the hair in the samples, and what is left to see through; less than opaque() is nothing.

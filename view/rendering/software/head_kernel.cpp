@@ -272,6 +272,9 @@ void drawBand(const HeadBand& band)
                     std::min(samples[x].cover + std::popcount(cover[x]) * 65535 / 16, 65535));
             if (triangles[x] == kNoTriangle)
                 continue;
+            if (band.worn != nullptr)
+                band.worn[static_cast<std::size_t>(row) * static_cast<std::size_t>(band.width) +
+                          static_cast<std::size_t>(x)] = 1;
             xs[held] = x;
             numbers[held] = triangles[x];
             if (++held == hn::Lanes(Tag())) {

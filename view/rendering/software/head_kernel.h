@@ -46,6 +46,7 @@ struct HeadBand
     bool isMasked = false;                     ///< By the texture's alpha.
     HeadSample* samples = nullptr;             ///< The picture's; rows are `width` long.
     float* distancesM = nullptr;
+    std::uint8_t* worn = nullptr; ///< Becomes 1 where the mesh is seen; null: it is no solid.
 };
 /// Draws the band's triangles and lights them, over what was drawn there of other meshes. It adds up how much of a
 /// sample meshes cover: where their outlines meet, nothing shines through.

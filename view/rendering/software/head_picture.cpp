@@ -100,6 +100,7 @@ void HeadPicture::update(const Scene& scene, bool coarse, const FrameConstants& 
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     m_samples.resize(count + kTileSp); // Resolving reads whole rows of a tile, also at the picture's edge.
     m_distancesM.resize(count);
+    m_worn.assign(scene.solids.empty() ? 0 : count, 0);
     m_rowHasHead.assign(static_cast<std::size_t>(height), 0);
     Mesh& mesh = m_isCoarse ? m_coarse : m_fine;
     const std::shared_ptr<const sim::HeadMesh>& shown = m_isCoarse ? scene.headInMotion : scene.head;
@@ -117,6 +118,7 @@ void HeadPicture::update(const Scene& scene, bool coarse, const FrameConstants& 
     whole.samplesPerM = constants.gridSize.z;
     whole.samples = m_samples.data();
     whole.distancesM = m_distancesM.data();
+    whole.worn = m_worn.empty() ? nullptr : m_worn.data();
     const auto bands = static_cast<std::size_t>((height + kBandRows - 1) / kBandRows);
     sim::parallelFor(bands, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) {
@@ -156,6 +158,7 @@ void HeadPicture::transformParts(const Mesh& mesh, const FrameConstants& constan
                 vertex.tint = glm::vec4(tints[i]) * (1.0F / 65535.0F);
             return vertex;
         });
+        part->isSolid = false;
         part->texture = nullptr;
         part->isMasked = false;
         part->triangles = head->triangles;
@@ -182,6 +185,7 @@ void HeadPicture::transformParts(const Mesh& mesh, const FrameConstants& constan
             return vertex;
         });
         part->triangles = body.triangles;
+        part->isSolid = true;
         part->isTinted = false;
         part->texture = solid.texture.get();
         part->colour = solid.colour;
@@ -200,6 +204,7 @@ bool HeadPicture::drawParts(HeadBand band, std::size_t number) const
     std::fill_n(band.distancesM + first, count, kNoHeadM);
     std::fill_n(band.samples + first, count, HeadSample{});
     bool any = false;
+    std::uint8_t* const worn = band.worn;
     for (const Part& part : m_parts) {
         const std::uint32_t begin = part.bandBegin[number];
         const std::uint32_t end = part.bandBegin[number + 1];
@@ -213,6 +218,7 @@ bool HeadPicture::drawParts(HeadBand band, std::size_t number) const
         band.texture = part.texture;
         band.textureColour = part.colour;
         band.isMasked = part.isMasked;
+        band.worn = part.isSolid ? worn : nullptr;
         drawHeadBand(band);
         any = true;
     }

@@ -24,6 +24,8 @@ public:
     [[nodiscard]] const std::vector<HeadSample>& samples() const { return m_samples; }
     /// Distances along the view, m; huge where there is no head.
     [[nodiscard]] const std::vector<float>& distancesM() const { return m_distancesM; }
+    /// 1 where a solid is seen; null where there are no solids.
+    [[nodiscard]] const std::uint8_t* worn() const { return m_worn.empty() ? nullptr : m_worn.data(); }
     /// Of each row of samples: 0 where it shows none.
     [[nodiscard]] const std::vector<std::uint8_t>& rowHasHead() const { return m_rowHasHead; }
     [[nodiscard]] int width() const { return m_width; }
@@ -44,6 +46,7 @@ private:
         std::vector<HeadVertex> vertices;
         std::span<const glm::uvec3> triangles;
         SkinLighting lighting;
+        bool isSolid = false;
         bool isTinted = false;
         const sim::MeshTexture* texture = nullptr; ///< Of a solid in m_solids.
         glm::vec3 colour{1.0F};
@@ -69,6 +72,7 @@ private:
     int m_height = 0;
     std::vector<HeadSample> m_samples;
     std::vector<float> m_distancesM;
+    std::vector<std::uint8_t> m_worn;
     std::vector<std::uint8_t> m_rowHasHead;
     std::vector<Part> m_parts; ///< The head, then the solids.
 };

@@ -173,6 +173,7 @@ void SoftwareRenderer::State::drawTile(std::size_t tile)
     task.headStride = static_cast<std::size_t>(head.width());
     const std::size_t corner = static_cast<std::size_t>(task.y0) * task.headStride + static_cast<std::size_t>(task.x0);
     task.headDistanceM = head.distancesM().data() + corner;
+    task.worn = head.worn() != nullptr ? head.worn() + corner : nullptr;
     task.head = head.samples().data() + corner;
     task.opaque = picture.target.samples.x > 1 ? kFineOpaque : kCoarseOpaque;
     task.nearestM = hair.nearestM();

@@ -19,6 +19,8 @@ namespace hairpaint::rendering::HWY_NAMESPACE {
 
 /// Hair that lies flat dips into the skin here and there; it is shown all the same.
 constexpr float kSkinDepthM = 0.015F;
+/// What is worn hides the hair that it presses down.
+constexpr float kWornDepthM = 0.0005F;
 
 /// Colour from 10 bits each, linear; the fourth is -1, so that adding it takes from what is left to see through.
 HWY_INLINE Quad colourOf(std::uint32_t bits)
@@ -287,9 +289,9 @@ void layAll(const TileTask& task, SegmentLists segments, TileSamples& samples)
         samples.headDepth.fill(1e9F);
         for (int y = 0; y < task.height; ++y)
             for (int x = 0; x < task.width; ++x) {
-                const float distanceM =
-                    task.headDistanceM[static_cast<std::size_t>(y) * task.headStride + static_cast<std::size_t>(x)];
-                const float depth = (distanceM + kSkinDepthM - task.nearestM) * task.depthsPerM;
+                const std::size_t at = static_cast<std::size_t>(y) * task.headStride + static_cast<std::size_t>(x);
+                const float behindM = task.worn != nullptr && task.worn[at] != 0 ? kWornDepthM : kSkinDepthM;
+                const float depth = (task.headDistanceM[at] + behindM - task.nearestM) * task.depthsPerM;
                 samples.headDepth.at(static_cast<std::size_t>(inTile(x, y))) = depth;
                 nearestHead = std::min(nearestHead, depth);
             }

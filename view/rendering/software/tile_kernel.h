@@ -49,6 +49,7 @@ struct TileTask
     bool anyHead = false;
     bool bare = false;                    ///< Nothing but background is wanted: the samples are not looked at.
     const float* headDistanceM = nullptr; ///< Of the corner; huge where there is no head.
+    const std::uint8_t* worn = nullptr;   ///< Of the corner: 1 where a solid is seen; null: nowhere.
     const HeadSample* head = nullptr;     ///< Of the corner.
     std::size_t headStride = 0;           ///< From a row to the one above.
     float opaque = 0.02F;                 ///< Less that is left to see through is nothing.
