@@ -16,6 +16,9 @@ set(hairpaint_labels_of_tsan threads)
 
 # The first row whose expression matches FOLDER.NAME counts.
 set(hairpaint_label_rows
+    # These start no thread.
+    "sim\\.(deterministic|ellipsoid|frame_pool|head_warp|mesh_openings|mesh_subdivision|natural_stream|neck_motion)" "logic"
+    "sim\\.(skin|skin_frame|stiffness|strand_curve|tiled_raster)" "logic"
     "sim\\..*" "logic threads"
     "background\\.(jobs|journal_thread)" "fault threads"
     "background\\.seen_race" "threads"
@@ -39,8 +42,9 @@ set(hairpaint_label_rows
     "app\\.monkey" "window memory"
     "app\\.(broken_files|ended_window|error_sentences|killed_window|long_work|odd_clock|recovery|recovery_trouble|repair_damage)" "fault"
     "app\\.(open_file|silent_disk|silent_exchange)" "window"
-    "app\\.(avatar_command|characters|command_line|export_command|new_command|render_command)" "program memory"
-    "app\\.(bounds|drawn_images|installed|odd_names|unwritable_paths)" "program"
+    # The memory of `new` is command_line's and broken_files' to watch: they make projects with its options, and fail to.
+    "app\\.(avatar_command|characters|command_line|export_command|render_command)" "program memory"
+    "app\\.(bounds|drawn_images|installed|new_command|odd_names|unwritable_paths)" "program"
     "app\\..*" "window"
 )
 

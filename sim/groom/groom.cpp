@@ -54,18 +54,6 @@ struct GroomBuilder::State
         group.rootsAsked = count;
     }
 
-    /// Made once a hair lies on the skin.
-    const std::shared_ptr<const SkinBand>& bandOf(const std::shared_ptr<const Skin>& skin)
-    {
-        if (!band || bandSkin != skin) {
-            band = std::make_shared<SkinBand>(*skin);
-            bandSkin = skin;
-        }
-        return band;
-    }
-
-    std::shared_ptr<const Skin> bandSkin;
-    std::shared_ptr<const SkinBand> band;
     std::vector<std::unique_ptr<Group>> groups;
     bool collectSlots = false;
 };
@@ -105,7 +93,7 @@ GroomBuilder::Report GroomBuilder::update(const GroomInput& input)
         m_state->findRoots(group, input, count, static_cast<std::size_t>(std::max(groupInput.settings.basisHairs, 1)));
         GroupBuilder::HeadLay head{.natural = input.naturalDirection, .band = nullptr, .distances = input.distances};
         if (!isUpright(MapSampler(groupInput.maps[MapSlot::Direction])))
-            head.band = m_state->bandOf(input.skin);
+            head.band = bandOf(input.skin);
         const GroupBuilder::Result result = group.builder.update(groupInput, group.roots, head, limit);
         report.grooms.push_back(result.groom);
         std::vector<std::uint32_t> rebuilt;

@@ -1,6 +1,7 @@
 // Samples of the skin, spread to the cells around them.
 #include "sim/skin/skin_band.h"
 
+#include "sim/base/kept_with.h"
 #include "sim/base/parallel.h"
 #include "sim/skin/mesh_bounds.h"
 
@@ -146,6 +147,12 @@ std::vector<std::uint32_t> SkinBand::around(std::span<const std::uint32_t> cells
                 }
     std::ranges::sort(found);
     return found;
+}
+
+std::shared_ptr<const SkinBand> bandOf(const std::shared_ptr<const Skin>& skin)
+{
+    static KeptWith<Skin, SkinBand> bands;
+    return bands.of(skin, [](const Skin& of) { return std::make_shared<const SkinBand>(of); });
 }
 
 } // namespace hairpaint::sim

@@ -4,6 +4,7 @@
 #include "sim/skin/skin_frame.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -54,5 +55,8 @@ private:
     std::vector<Cell> m_cells;
     std::vector<std::uint32_t> m_gridIndex; ///< Of each cell, in m_index.
 };
+
+/// The skin's band, made at the first call and kept as long as the skin lives. Any thread.
+[[nodiscard]] std::shared_ptr<const SkinBand> bandOf(const std::shared_ptr<const Skin>& skin);
 
 } // namespace hairpaint::sim

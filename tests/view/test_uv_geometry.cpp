@@ -2,6 +2,7 @@
 #include "model/maps/map_colours.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
+#include "view/paint_area/head_backdrop.h"
 #include "view/paint_area/map_pyramid.h"
 #include "view/paint_area/skin_ring.h"
 #include "view/paint_area/uv_shading.h"
@@ -11,6 +12,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <memory>
 #include <random>
 
 using namespace hairpaint;
@@ -254,6 +256,21 @@ private Q_SLOTS:
             refined(*one);
         }
         QCOMPARE(drawn(pyramid), drawn(fresh));
+    }
+
+    void aHeadHasOneBackdrop()
+    {
+        const auto withPatch = [](int side) {
+            const auto head = std::make_shared<model::Head>();
+            head->skin = std::make_shared<const sim::Skin>(test::makePatchHead(side));
+            return std::shared_ptr<const model::Head>(head);
+        };
+        const std::shared_ptr<const model::Head> head = withPatch(8);
+        const view::BackdropPtr backdrop = view::headBackdrop(head);
+        QCOMPARE(backdrop->wireframe.edgeCount(1e6), view::UvWireframe(head->skin->mesh()).edgeCount(1e6));
+        QCOMPARE(backdrop->shading, view::bakeUvShading(head->skin->mesh(), backdrop->shading.width()));
+        QCOMPARE(view::headBackdrop(head), backdrop);
+        QVERIFY(view::headBackdrop(withPatch(16))->wireframe.edgeCount(1e6) > backdrop->wireframe.edgeCount(1e6));
     }
 };
 

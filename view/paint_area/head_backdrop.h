@@ -20,8 +20,9 @@ struct HeadBackdrop
 };
 using BackdropPtr = std::shared_ptr<const HeadBackdrop>;
 
-/// Takes some 100 ms for the built-in head, and more for finer ones. From any thread. The head has a skin.
-[[nodiscard]] BackdropPtr makeHeadBackdrop(const model::Head& head);
+/// Takes some 100 ms for the built-in head, and more for finer ones, at the first call; it is kept as long as the head
+/// lives. From any thread. The head has a skin.
+[[nodiscard]] BackdropPtr headBackdrop(const std::shared_ptr<const model::Head>& head);
 
 /// Has `make` run, which takes a while, and tells `done` on the caller's thread, unless `receiver` is gone by then; of
 /// null where `make` threw.

@@ -213,7 +213,7 @@ void PaintView::refreshHead()
     lookChanged();
     if (!known)
         return;
-    const auto make = [head] { return makeHeadBackdrop(*head); };
+    const auto make = [head] { return headBackdrop(head); };
     const auto show = [this, head](const BackdropPtr& backdrop) {
         if (head != m_state->head)
             return; // A newer one has come meanwhile.
