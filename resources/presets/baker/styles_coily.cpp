@@ -21,6 +21,7 @@ Recording::Points aroundWhorl(const Recording& user, float fromCrownM, int numbe
     const glm::vec3 left(1.0F, 0.0F, 0.0F);
     const glm::vec3 forward = glm::cross(left, crown);
     Recording::Points ring;
+    ring.reserve(kSteps + 1);
     for (int i = 0; i <= kSteps; ++i) {
         const float turn = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kSteps;
         const float waver = kWaverM * (std::sin(5.0F * turn + 1.7F * static_cast<float>(number)) +

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace hairpaint::presets {
 
@@ -30,8 +31,10 @@ void cutSidelocks(Recording& user, float lineHeightM)
     // Over the top, around the axis.
     for (const float radiusM : evenly(0.052F, 0.004F, 0.004F)) {
         Recording::Points arc;
+        const std::vector<float> turns = evenly(kFromDegrees, kToDegrees, 7.0F);
+        arc.reserve(turns.size());
         float heightM = 0.0F;
-        for (const float degrees : evenly(kFromDegrees, kToDegrees, 7.0F)) {
+        for (const float degrees : turns) {
             const float angle = glm::radians(degrees);
             arc.push_back(user.above(radiusM * std::sin(angle), kAxisForwardM + radiusM * std::cos(angle)));
             heightM = std::max(heightM, arc.back().positionHd.y);
@@ -45,6 +48,7 @@ void combSidelocks(Recording& user)
 {
     for (const float degrees : evenly(70.0F, 36.0F, 8.0F)) {
         Recording::Points lane;
+        lane.reserve(5);
         for (const float heightM : {0.085F, 0.068F, 0.050F, 0.032F, 0.012F})
             lane.push_back(user.around(degrees - 50.0F * (0.085F - heightM), heightM));
         user.comb(0.95F, {.sizeM = 0.020F, .hardness = 0.7F}, lane);

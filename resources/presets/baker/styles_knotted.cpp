@@ -39,7 +39,9 @@ std::vector<Recording::Points> partings(const Recording& user)
     lines.push_back(std::move(column));
     for (const float forwardM : {0.032F, -0.026F}) {
         Recording::Points row;
-        for (const float leftM : evenly(0.0F, 0.06F, 0.012F))
+        const std::vector<float> lefts = evenly(0.0F, 0.06F, 0.012F);
+        row.reserve(lefts.size() + 1);
+        for (const float leftM : lefts)
             row.push_back(user.above(leftM, forwardM));
         row.push_back(user.around(forwardM > 0.0F ? 60.0F : 104.0F, 0.056F));
         lines.push_back(std::move(row));
