@@ -2783,6 +2783,30 @@
         <translation>Coleta baja</translation>
     </message>
     <message>
+        <source>Hime cut</source>
+        <translation>Corte hime</translation>
+    </message>
+    <message>
+        <source>Headband with long hair</source>
+        <translation>Diadema con pelo largo</translation>
+    </message>
+    <message>
+        <source>Bantu knots</source>
+        <translation>Nudos bantú</translation>
+    </message>
+    <message>
+        <source>Twist-out</source>
+        <translation>Twist-out</translation>
+    </message>
+    <message>
+        <source>360 waves</source>
+        <translation>Ondas 360</translation>
+    </message>
+    <message>
+        <source>Full brows</source>
+        <translation>Cejas pobladas</translation>
+    </message>
+    <message>
         <source>tied</source>
         <translation>recogido</translation>
     </message>

@@ -56,6 +56,12 @@ constexpr std::array kNames = {
     QT_TRANSLATE_NOOP("Names", "Stubble"),
     QT_TRANSLATE_NOOP("Names", "Goatee"),
     QT_TRANSLATE_NOOP("Names", "Full beard"),
+    QT_TRANSLATE_NOOP("Names", "Hime cut"),
+    QT_TRANSLATE_NOOP("Names", "Headband with long hair"),
+    QT_TRANSLATE_NOOP("Names", "Bantu knots"),
+    QT_TRANSLATE_NOOP("Names", "Twist-out"),
+    QT_TRANSLATE_NOOP("Names", "360 waves"),
+    QT_TRANSLATE_NOOP("Names", "Full brows"),
     // Their tags
     QT_TRANSLATE_NOOP("Names", "short"),
     QT_TRANSLATE_NOOP("Names", "medium"),

@@ -110,6 +110,11 @@ sim::SurfacePoint Recording::above(float leftM, float forwardM) const
     return *skin.pick({.originHd = {leftM, kHighM, forwardM}, .directionHd = {0.0F, -1.0F, 0.0F}});
 }
 
+sim::SurfacePoint Recording::outward(glm::vec3 fromHd, glm::vec3 directionHd) const
+{
+    return *m_document.project().head->skin->pick({.originHd = fromHd, .directionHd = glm::normalize(directionHd)});
+}
+
 Recording::Points Recording::level(float heightM, float fromDegrees, float toDegrees) const
 {
     const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(toDegrees - fromDegrees) / kLevelStepDegrees)));

@@ -70,6 +70,8 @@ public:
     [[nodiscard]] Points along(std::span<const Seen> line) const;
     /// The skin as it is seen from above.
     [[nodiscard]] sim::SurfacePoint above(float leftM, float forwardM) const;
+    /// The skin as it is seen from a point within the head.
+    [[nodiscard]] sim::SurfacePoint outward(glm::vec3 fromHd, glm::vec3 directionHd) const;
     /// Along a height, from the face to the back of the head unless told otherwise.
     [[nodiscard]] Points level(float heightM, float fromDegrees = 0.0F, float toDegrees = 180.0F) const;
     /// Over the middle of the head, from the forehead to the nape, or to one side of it.

@@ -57,6 +57,12 @@ struct Style
 [[nodiscard]] Style stubble();
 [[nodiscard]] Style goatee();
 [[nodiscard]] Style fullBeard();
+[[nodiscard]] Style hime();
+[[nodiscard]] Style headband();
+[[nodiscard]] Style brows();
+[[nodiscard]] Style bantuKnots();
+[[nodiscard]] Style twistOut();
+[[nodiscard]] Style waves360();
 
 [[nodiscard]] std::vector<Style> builtInStyles(); ///< In the strip's order.
 

@@ -1,23 +1,49 @@
-// Beards, in groups of their own.
+// Beards and brows, in groups of their own.
 #include "model/styles/hair_kinds.h"
 #include "styles.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 namespace hairpaint::presets {
 
 namespace {
 
-sim::GroupSettings beardSettings(float greatestLengthM)
+/// As hair of that kind has them.
+sim::GroupSettings settingsOfKind(std::string_view name, float greatestLengthM)
 {
     const std::span<const model::HairKind> kinds = model::hairKinds();
     sim::GroupSettings settings = settingsOf(greatestLengthM, 0.06F, 0.004F);
-    std::ranges::find_if(kinds, [](const auto& kind) {
-        return std::string_view(kind.name) == "Beard";
-    })->apply(settings);
+    std::ranges::find_if(kinds, [name](const auto& kind) { return kind.name == name; })->apply(settings);
     settings.greatestLengthM = greatestLengthM;
     return settings;
+}
+
+sim::GroupSettings beardSettings(float greatestLengthM)
+{
+    return settingsOfKind("Beard", greatestLengthM);
+}
+
+} // namespace
+
+namespace {
+
+using Seen = Recording::Seen;
+
+constexpr std::array<Seen, 2> kHead{{{7.0F, 0.0195F}, {7.5F, 0.025F}}};
+constexpr std::array<Seen, 3> kTail{{{30.0F, 0.026F}, {35.0F, 0.023F}, {40.0F, 0.018F}}};
+
+/// Up at the nose, outward above the eye, down at the temple.
+void combBrow(Recording& user)
+{
+    const Ring ring{.sizeM = 0.008F, .hardness = 0.5F};
+    user.comb(0.93F, {.sizeM = 0.016F, .hardness = 0.5F},
+              user.along(std::array<Seen, 5>{
+                  {{11.0F, 0.0225F}, {17.0F, 0.0255F}, {23.0F, 0.027F}, {30.0F, 0.0255F}, {42.0F, 0.018F}}}));
+    user.comb(0.9F, ring,
+              user.along(std::array<Seen, 4>{{{10.0F, 0.016F}, {15.0F, 0.021F}, {21.0F, 0.025F}, {27.0F, 0.026F}}}));
+    user.comb(0.8F, ring, user.along(std::array<Seen, 3>{{{6.0F, 0.013F}, {7.0F, 0.020F}, {9.5F, 0.027F}}}));
 }
 
 } // namespace
@@ -79,6 +105,28 @@ Style goatee()
                                        user.level(heightM, 33.0F, 100.0F));
                     },
                 .kind = "Beard"};
+    return style;
+}
+
+Style brows()
+{
+    Style style{.id = "brows",
+                .name = "Full brows",
+                .tags = {QStringLiteral("face")},
+                .settings = settingsOfKind("Brows", 0.012F),
+                .record =
+                    [](Recording& user) {
+                        user.fill(MapKind::Colour, colour(0xFF2A1E18));
+                        user.fill(MapKind::Length, user.length(0.0075F));
+                        // Thinner and shorter to both ends.
+                        user.brush(MapKind::Length, user.length(0.005F), {.sizeM = 0.016F, .hardness = 0.2F},
+                                   user.along(kTail));
+                        user.brush(MapKind::Density, scalar(0.4F), {.sizeM = 0.008F, .hardness = 0.1F},
+                                   user.along(kHead));
+                        combBrow(user);
+                    },
+                .kind = "Brows"};
+    style.settings.nodesPerHair = 4;
     return style;
 }
 

@@ -3,9 +3,59 @@
 #include "strokes.h"
 #include "styles.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 namespace hairpaint::presets {
+
+namespace {
+
+constexpr float kAxisForwardM = -0.010F; ///< Of Recording::around().
+
+/// Hair from the fringe's corner to the ear, up to the parting, cut to a line at the cheek.
+void cutSidelocks(Recording& user, float lineHeightM)
+{
+    constexpr float kFromDegrees = 27.0F;
+    constexpr float kToDegrees = 80.0F;
+    constexpr float kCurveBeginsM = 0.06F;
+    constexpr float kCurve = 11.0F; // 1/m
+    const auto lengthAt = [&](float heightM) {
+        const float aboveM = std::max(heightM - kCurveBeginsM, 0.0F);
+        return user.length(heightM - lineHeightM + kCurve * aboveM * aboveM);
+    };
+    const Ring ring{.sizeM = 0.009F, .hardness = 0.8F};
+    for (const float heightM : evenly(-0.02F, 0.088F, 0.004F))
+        user.brush(MapKind::Length, lengthAt(heightM), ring, user.level(heightM, kFromDegrees, kToDegrees));
+    // Over the top, around the axis.
+    for (const float radiusM : evenly(0.052F, 0.004F, 0.004F)) {
+        Recording::Points arc;
+        const std::vector<float> turns = evenly(kFromDegrees, kToDegrees, 7.0F);
+        arc.reserve(turns.size());
+        float heightM = 0.0F;
+        for (const float degrees : turns) {
+            const float angle = glm::radians(degrees);
+            arc.push_back(user.above(radiusM * std::sin(angle), kAxisForwardM + radiusM * std::cos(angle)));
+            heightM = std::max(heightM, arc.back().positionHd.y);
+        }
+        user.brush(MapKind::Length, lengthAt(heightM), ring, arc);
+    }
+}
+
+/// Straight down before the ears, a little toward the cheek.
+void combSidelocks(Recording& user)
+{
+    for (const float degrees : evenly(70.0F, 36.0F, 8.0F)) {
+        Recording::Points lane;
+        lane.reserve(5);
+        for (const float heightM : {0.085F, 0.068F, 0.050F, 0.032F, 0.012F})
+            lane.push_back(user.around(degrees - 50.0F * (0.085F - heightM), heightM));
+        user.comb(0.95F, {.sizeM = 0.020F, .hardness = 0.7F}, lane);
+    }
+}
+
+} // namespace
 
 Style pixie()
 {
@@ -72,6 +122,30 @@ Style curtainLayers()
     style.settings.curl.straightM = 0.04F;
     style.settings.nodesPerHair = 14;
     style.settings.material.shine = 0.6F;
+    return style;
+}
+
+Style hime()
+{
+    Style style{.id = "hime",
+                .name = "Hime cut",
+                .tags = {QStringLiteral("long"), QStringLiteral("straight")},
+                .settings = settingsOf(0.60F, 0.045F, 0.007F),
+                .record = [](Recording& user) {
+                    user.setLayerOpacity(MapKind::Density, 0.9F);
+                    user.fill(MapKind::Colour, colour(0xFF15110F));
+                    cutToLine(user, -0.32F, 0.12F);
+                    user.fill(MapKind::Clump, scalar(0.2F));
+                    cutSidelocks(user, -0.072F);
+                    front(user, MapKind::Length, user.length(0.056F), 0.03F);
+                    user.part({.reachM = 0.11F}, user.overHead(0.0F, 0.045F, -0.085F));
+                    combSidelocks(user);
+                    cutFringe(user, {.lengthM = 0.054F, .halfM = 0.059F, .longerM = 0.006F, .flatness = 0.88F});
+                }};
+    style.settings.nodesPerHair = 14;
+    style.settings.material.shine = 0.75F;
+    style.settings.material.roughness = 0.28F;
+    style.settings.material.tipAlpha = 0.8F;
     return style;
 }
 

@@ -3,7 +3,40 @@
 #include "strokes.h"
 #include "styles.h"
 
+#include <array>
+
 namespace hairpaint::presets {
+
+namespace {
+
+/// From the face over the head and behind the ears.
+void combBack(Recording& user)
+{
+    constexpr std::array<Recording::Seen, 7> kOverEar{{{45.0F, 0.062F},
+                                                       {58.0F, 0.058F},
+                                                       {74.0F, 0.052F},
+                                                       {92.0F, 0.044F},
+                                                       {108.0F, 0.030F},
+                                                       {120.0F, 0.008F},
+                                                       {126.0F, -0.02F}}};
+    constexpr std::array<Recording::Seen, 7> kAtEar{{{52.0F, 0.040F},
+                                                     {64.0F, 0.036F},
+                                                     {78.0F, 0.030F},
+                                                     {94.0F, 0.026F},
+                                                     {108.0F, 0.012F},
+                                                     {116.0F, -0.010F},
+                                                     {120.0F, -0.035F}}};
+    constexpr std::array<Recording::Seen, 5> kBeforeEar{
+        {{60.0F, 0.012F}, {68.0F, 0.014F}, {76.0F, 0.020F}, {90.0F, 0.022F}, {106.0F, 0.004F}}};
+    const Ring ring{.sizeM = 0.03F, .hardness = 0.5F};
+    user.comb(0.95F, ring, user.along(kBeforeEar));
+    user.comb(0.95F, ring, user.along(kAtEar));
+    user.comb(0.95F, ring, user.along(kOverEar));
+    for (const float leftM : {0.055F, 0.042F, 0.028F, 0.014F, 0.0F})
+        user.comb(0.93F, ring, user.overHead(leftM, 0.080F - 4.0F * leftM * leftM, -0.085F + 0.3F * leftM));
+}
+
+} // namespace
 
 Style longStraight()
 {
@@ -101,6 +134,35 @@ Style splitDye()
     style.settings.variation.partGapM = 0.0F;
     style.settings.locks.ragged = 0.0F;
     style.settings.nodesPerHair = 12;
+    return style;
+}
+
+Style headband()
+{
+    Style style{.id = "headband-long",
+                .name = "Headband with long hair",
+                .tags = {QStringLiteral("long"), QStringLiteral("straight"), QStringLiteral("tied")},
+                .settings = settingsOf(0.50F, 0.05F, 0.0045F),
+                .record = [](Recording& user) {
+                    user.setLayerOpacity(MapKind::Density, 0.85F);
+                    user.fill(MapKind::Colour, colour(0xFF9A7446));
+                    cutToLine(user, -0.25F, 0.12F);
+                    user.fill(MapKind::Curl, scalar(1.0F));
+                    user.fill(MapKind::Clump, scalar(0.3F));
+                    combBack(user);
+                    user.wear(model::WornKind::Headband, user.above(0.0F, 0.022F));
+                    user.setWorn(model::WornKind::Headband, [](model::Worn& band) {
+                        band.colour = 0xFF8A1428;
+                        band.sheen = 0.3F;
+                    });
+                }};
+    model::setHairType(style.settings, model::hairType("2A"));
+    style.settings.curl.diameterM = 0.03F;
+    style.settings.curl.pitchM = 0.22F;
+    style.settings.curl.straightM = 0.08F;
+    style.settings.nodesPerHair = 14;
+    style.settings.variation.partGapM = 0.0F;
+    style.settings.material.shine = 0.65F;
     return style;
 }
 
