@@ -28,7 +28,7 @@ set(hairpaint_label_rows
     "fuzz\\..*" "fault"
     "importer\\..*" "fault"
 
-    "model\\.(built_in_styles|bust_motion|face_hair|fallen_hair|group_cut|held_tips|hold|scissors_cut|stroke_grooms|style_transfer)" "hair"
+    "model\\.(built_in_styles|bust_motion|face_hair|fallen_hair|group_cut|hair_handles|held_tips|hold|scissors_cut|stroke_grooms|style_mix|style_transfer)" "hair"
     "model\\.(export_faults|faults|hostile_project|repair|want_of_memory)" "fault"
     "model\\..*" "logic"
 

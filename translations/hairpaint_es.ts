@@ -2115,6 +2115,57 @@
     </message>
 </context>
 <context>
+    <name>HairHandles</name>
+    <message>
+        <source>Length all over</source>
+        <translation>Largo general</translation>
+    </message>
+    <message>
+        <source>All of this hair longer or shorter; 100% is as it was</source>
+        <translation>Todo este pelo más largo o más corto; 100 % es como estaba</translation>
+    </message>
+    <message>
+        <source>Length of &quot;%1&quot;</source>
+        <translation>Largo de «%1»</translation>
+    </message>
+    <message>
+        <source>Fringe length</source>
+        <translation>Largo del flequillo</translation>
+    </message>
+    <message>
+        <source>Hair over the forehead longer or shorter</source>
+        <translation>El pelo sobre la frente, más largo o más corto</translation>
+    </message>
+    <message>
+        <source>Fringe of &quot;%1&quot;</source>
+        <translation>Flequillo de «%1»</translation>
+    </message>
+    <message>
+        <source>Fade height</source>
+        <translation>Altura del degradado</translation>
+    </message>
+    <message>
+        <source>How much higher clipped hair ends at the sides and the back</source>
+        <translation>Cuánto más arriba termina el pelo rapado en los lados y la nuca</translation>
+    </message>
+    <message>
+        <source>Fade of &quot;%1&quot;</source>
+        <translation>Degradado de «%1»</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Raya</translation>
+    </message>
+    <message>
+        <source>Where hair falls to both sides; left is the head&apos;s own left</source>
+        <translation>Dónde cae el pelo a ambos lados; la izquierda es la de la propia cabeza</translation>
+    </message>
+    <message>
+        <source>Part of &quot;%1&quot;</source>
+        <translation>Raya de «%1»</translation>
+    </message>
+</context>
+<context>
     <name>HairKinds</name>
     <message>
         <source>Hair of the head</source>
@@ -3128,6 +3179,10 @@
         <source>Delete style</source>
         <translation>Eliminar peinado</translation>
     </message>
+    <message>
+        <source>About this style…</source>
+        <translation>Acerca de este peinado…</translation>
+    </message>
 </context>
 <context>
     <name>StyleParts</name>
@@ -3170,6 +3225,41 @@
     <message>
         <source>Style &quot;%1&quot; (ties only)</source>
         <translation>Peinado «%1» (solo los recogidos)</translation>
+    </message>
+    <message>
+        <source>%1, %2%</source>
+        <translation>%1, %2 %</translation>
+    </message>
+</context>
+<context>
+    <name>StyleStrip</name>
+    <message>
+        <source>Show all styles</source>
+        <translation>Mostrar todos los peinados</translation>
+    </message>
+    <message>
+        <source>No style is found for &apos;%1&apos;</source>
+        <translation>No se encuentra ningún peinado para «%1»</translation>
+    </message>
+    <message>
+        <source>No style in &apos;%1&apos; is found for &apos;%2&apos;</source>
+        <translation>En «%1» no se encuentra ningún peinado para «%2»</translation>
+    </message>
+    <message>
+        <source>Search in all folders</source>
+        <translation>Buscar en todas las carpetas</translation>
+    </message>
+    <message>
+        <source>The star in a picture&apos;s corner brings a style here.</source>
+        <translation>La estrella en la esquina de una imagen trae aquí un peinado.</translation>
+    </message>
+    <message>
+        <source>Styles that you put on come here.</source>
+        <translation>Aquí llegan los peinados que te pones.</translation>
+    </message>
+    <message>
+        <source>There are no styles in this folder yet.</source>
+        <translation>Aún no hay peinados en esta carpeta.</translation>
     </message>
 </context>
 <context>
@@ -4909,6 +4999,61 @@ Se ha perdido esto:</translation>
     </message>
 </context>
 <context>
+    <name>hairpaint::app::StyleCards</name>
+    <message>
+        <source>Drawing the style %1</source>
+        <translation>Dibujando el peinado %1</translation>
+    </message>
+    <message>
+        <source>of its own</source>
+        <translation>propio</translation>
+    </message>
+    <message>
+        <source>Hair</source>
+        <translation>Pelo</translation>
+    </message>
+    <message>
+        <source>None: a bald head</source>
+        <translation>Ninguno: una cabeza calva</translation>
+    </message>
+    <message>
+        <source>Hair type</source>
+        <translation>Tipo de pelo</translation>
+    </message>
+    <message>
+        <source>Longest hair</source>
+        <translation>Pelo más largo</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>Hairs</source>
+        <translation>Pelos</translation>
+    </message>
+    <message>
+        <source>%1, led by at most %2 that are computed</source>
+        <translation>%1, guiados por %2 calculados como mucho</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>Coste</translation>
+    </message>
+    <message>
+        <source>A second of its motion takes %1 s here</source>
+        <translation>Un segundo de su movimiento tarda aquí %1 s</translation>
+    </message>
+    <message>
+        <source>Painted</source>
+        <translation>Pintado</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Etiquetas</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::app::StyleFiles</name>
     <message>
         <source>Save style</source>
@@ -5606,6 +5751,33 @@ Se ha perdido esto:</translation>
     <message>
         <source>What grows?</source>
         <translation>¿Qué crece?</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::HandlePanel</name>
+    <message>
+        <source>Handles of this haircut</source>
+        <translation>Ajustes de este corte</translation>
+    </message>
+    <message>
+        <source>This group has no hair yet: a style gives it some.</source>
+        <translation>Este grupo aún no tiene pelo: un peinado se lo da.</translation>
+    </message>
+    <message>
+        <source>As combed</source>
+        <translation>Como está peinada</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>En medio</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
     </message>
 </context>
 <context>
@@ -6797,6 +6969,65 @@ Se ha perdido esto:</translation>
         <source>Find a style</source>
         <translation>Buscar un peinado</translation>
     </message>
+    <message>
+        <source>Mix</source>
+        <translation>Mezcla</translation>
+    </message>
+    <message>
+        <source>How much of a style is taken; below 100% it is mixed with the hair that was there. Ties and braids, which can&apos;t be mixed, come with 50% and more</source>
+        <translation>Cuánto se toma de un peinado; por debajo del 100 % se mezcla con el pelo que había. Los adornos y las trenzas, que no se pueden mezclar, vienen a partir del 50 %</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::StyleCard</name>
+    <message>
+        <source>About &apos;%1&apos;</source>
+        <translation>Acerca de «%1»</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Frente</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Dibujando…</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>How much of the card is there</source>
+        <translation>Cuánto hay ya de la ficha</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Make it on my head</source>
+        <translation>Ponerlo en mi cabeza</translation>
+    </message>
+    <message>
+        <source>Landmarks of my head…</source>
+        <translation>Puntos de referencia de mi cabeza…</translation>
+    </message>
+    <message>
+        <source>Hairline, crown, ears: by them the style is laid on your head</source>
+        <translation>Nacimiento del pelo, coronilla, orejas: con ellos el peinado se ajusta a tu cabeza</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::StyleFitting</name>
@@ -6889,34 +7120,6 @@ Se ha perdido esto:</translation>
     <message>
         <source>%1. Point to see it, click to keep it; Shift+click takes its colour alone</source>
         <translation>%1. Señálalo para verlo, haz clic para aplicarlo; con Mayús+clic tomas solo su color</translation>
-    </message>
-    <message>
-        <source>No style is found for &apos;%1&apos;</source>
-        <translation>No se encuentra ningún peinado para «%1»</translation>
-    </message>
-    <message>
-        <source>Show all styles</source>
-        <translation>Mostrar todos los peinados</translation>
-    </message>
-    <message>
-        <source>No style in &apos;%1&apos; is found for &apos;%2&apos;</source>
-        <translation>En «%1» no se encuentra ningún peinado para «%2»</translation>
-    </message>
-    <message>
-        <source>Search in all folders</source>
-        <translation>Buscar en todas las carpetas</translation>
-    </message>
-    <message>
-        <source>The star in a picture&apos;s corner brings a style here.</source>
-        <translation>La estrella en la esquina de una imagen trae aquí un peinado.</translation>
-    </message>
-    <message>
-        <source>Styles that you put on come here.</source>
-        <translation>Aquí llegan los peinados que te pones.</translation>
-    </message>
-    <message>
-        <source>There are no styles in this folder yet.</source>
-        <translation>Aún no hay peinados en esta carpeta.</translation>
     </message>
 </context>
 <context>

@@ -58,6 +58,8 @@ void StyleFiles::save()
 void StyleFiles::carryOut(const QString& path, view::StyleOrder order)
 {
     switch (order) {
+    case view::StyleOrder::About: // No file changes.
+        return;
     case view::StyleOrder::Rename:
         return rename(path);
     case view::StyleOrder::Tag:

@@ -86,7 +86,9 @@ MainWindow::MainWindow(model::Project project, const QString& path, std::unique_
     connectSession();
     connectAreas();
     connectFiles();
-    auto* styles = new StyleStripController(m_workspace->styleStrip(), m_exchange.styles(), m_settings, m_jobs);
+    auto* styles = new StyleStripController(m_workspace->styleStrip(), m_exchange.styles(), m_settings, m_jobs,
+                                            m_session.document());
+    connect(styles, &StyleStripController::landmarksWanted, this, [this] { m_exchange.heads().moveLandmarks(); });
     view::StatusReadout& status = m_workspace->status();
     connect(styles, &StyleStripController::failed, &status,
             [&status](const QString& problem) { status.showMessage(problem, true); });

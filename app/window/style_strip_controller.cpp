@@ -15,9 +15,17 @@ struct StyleList
 
 } // namespace
 
-StyleStripController::StyleStripController(view::StyleStrip& strip, StyleFiles& styles, Settings& settings, Jobs& jobs)
-    : QObject(&strip), m_strip(strip), m_settings(settings), m_jobs(jobs), m_pictures(jobs)
+StyleStripController::StyleStripController(view::StyleStrip& strip, StyleFiles& styles, Settings& settings, Jobs& jobs,
+                                           model::Document& document)
+    : QObject(&strip), m_strip(strip), m_settings(settings), m_jobs(jobs), m_pictures(jobs),
+      m_cards(*strip.window(), jobs, this)
 {
+    connect(&strip, &view::StyleStrip::ordered, this, [this, &document](const QString& path, view::StyleOrder order) {
+        if (order == view::StyleOrder::About)
+            m_cards.open(path, styleName(path), *document.committed().head);
+    });
+    connect(&m_cards, &StyleCards::putOnWanted, &strip, &view::StyleStrip::choose);
+    connect(&m_cards, &StyleCards::landmarksWanted, this, &StyleStripController::landmarksWanted);
     strip.setMarks(settings.styleMarks());
     connect(&styles, &StyleFiles::changed, this, &StyleStripController::refresh);
     connect(&styles, &StyleFiles::wanted, &strip, &view::StyleStrip::putOn);

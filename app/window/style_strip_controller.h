@@ -3,6 +3,7 @@
 
 #include "app/background/jobs.h"
 #include "app/exchange/style_files.h"
+#include "app/styles/style_cards.h"
 #include "app/styles/style_pictures.h"
 #include "view/panels/style_strip.h"
 
@@ -16,17 +17,20 @@ class StyleStripController : public QObject
 {
     Q_OBJECT
 public:
-    StyleStripController(view::StyleStrip& strip, StyleFiles& styles, Settings& settings, Jobs& jobs);
+    StyleStripController(view::StyleStrip& strip, StyleFiles& styles, Settings& settings, Jobs& jobs,
+                         model::Document& document);
     void refresh();
 
 Q_SIGNALS:
     void failed(const QString& problem);
+    void landmarksWanted(); ///< Of the head that is open.
 
 private:
     view::StyleStrip& m_strip;
     Settings& m_settings;
     Jobs& m_jobs;
     StylePictures m_pictures;
+    StyleCards m_cards;
     int m_newest = 0; ///< Number of the list that was asked for last.
 };
 

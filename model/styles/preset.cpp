@@ -59,7 +59,8 @@ sim::TiledRaster flattened(const MapStack& stack, const MapSpec& spec)
     return flat;
 }
 
-/// Whether anything of a map shows but what it starts from.
+} // namespace
+
 bool isPainted(const MapStack& stack)
 {
     const auto coverage = static_cast<std::size_t>(mapSpec(stack.kind).valueChannels);
@@ -72,8 +73,6 @@ bool isPainted(const MapStack& stack)
         return false;
     });
 }
-
-} // namespace
 
 Preset presetFrom(const Project& project, const QString& name)
 {

@@ -22,6 +22,8 @@ struct Preset
     QImage picture; ///< 96 px and more a side; null where none was saved.
 };
 
+/// Whether anything of a map shows but what it starts from.
+[[nodiscard]] bool isPainted(const MapStack& stack);
 /// Flattens every stack of every group of a project.
 [[nodiscard]] Preset presetFrom(const Project& project, const QString& name);
 

@@ -37,6 +37,9 @@ struct StyleUse
 {
     StylePart part = StylePart::All;
     std::vector<Id> kept = {}; ///< Groups of the project that stay, though the style has one of their name.
+    /// 0..1: below 1 each group is mixed with the one that it replaces (style_mix.h); ties and groups that the project
+    /// has none of come with a half and more.
+    double share = 1.0;
 };
 
 /// Whether anything of the group's density is above 0.
@@ -53,6 +56,6 @@ struct StyleUse
 /// index in the list, all others stay as they are.
 void applyPreset(Project& project, const Preset& preset, const StyleUse& use = {});
 /// What undo calls it.
-[[nodiscard]] QString applyPresetText(const Preset& preset, StylePart part = StylePart::All);
+[[nodiscard]] QString applyPresetText(const Preset& preset, StylePart part = StylePart::All, double share = 1.0);
 
 } // namespace hairpaint::model

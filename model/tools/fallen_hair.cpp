@@ -5,6 +5,7 @@
 #include "sim/groom/strand_style.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hairpaint::model {
 
@@ -15,15 +16,20 @@ constexpr int kTileSide = sim::TiledRaster::kTileSize;
 } // namespace
 
 FallenHair::FallenHair(const ToolContext& context, SkinFrames& frames, int size)
-    : m_frames(&frames), m_size(size), m_tilesAcross((size + kTileSide - 1) / kTileSide),
-      m_natural(context.document.project().head->naturalDirection),
-      m_direction(context.document.resolvedNow(context.target.group, MapKind::Direction)),
-      m_length(context.document.resolvedNow(context.target.group, MapKind::Length)),
-      m_tiles(static_cast<std::size_t>(m_tilesAcross) * static_cast<std::size_t>(m_tilesAcross))
+    : FallenHair({}, context.document.project().head->naturalDirection,
+                 context.document.resolvedNow(context.target.group, MapKind::Direction),
+                 context.document.resolvedNow(context.target.group, MapKind::Length), frames, size)
 {
     if (const HairGroup* group = context.document.project().group(context.target.group))
         m_settings = group->settings;
 }
+
+FallenHair::FallenHair(const sim::GroupSettings& settings, sim::MapRaster natural, sim::MapRaster direction,
+                       sim::MapRaster length, SkinFrames& frames, int size)
+    : m_frames(&frames), m_size(size), m_tilesAcross((size + kTileSide - 1) / kTileSide), m_settings(settings),
+      m_natural(std::move(natural)), m_direction(std::move(direction)), m_length(std::move(length)),
+      m_tiles(static_cast<std::size_t>(m_tilesAcross) * static_cast<std::size_t>(m_tilesAcross))
+{}
 
 glm::vec2 FallenHair::toldAt(glm::vec2 uv) const
 {

@@ -18,6 +18,9 @@ class FallenHair
 public:
     /// Of the target's group. `size`: of the direction map. Both must outlive it.
     FallenHair(const ToolContext& context, SkinFrames& frames, int size);
+    /// Of a group of these settings and resolved maps; nothing falls where one of them is null.
+    FallenHair(const sim::GroupSettings& settings, sim::MapRaster natural, sim::MapRaster direction,
+               sim::MapRaster length, SkinFrames& frames, int size);
 
     /// The direction in which hair lies there, in the frame of that point of the skin.
     [[nodiscard]] glm::vec2 at(glm::vec2 uv);

@@ -43,6 +43,32 @@ float eased(float from, float to, float x)
 
 } // namespace
 
+PartCurve ledToHairline(const sim::Skin& skin, const std::vector<sim::SurfacePoint>& points,
+                        const sim::TiledRaster& density, PartLook& look)
+{
+    PartCurve curve(skin, points);
+    if (curve.empty())
+        return curve;
+    std::vector<sim::SurfacePoint> all = pointsToHairline(skin, curve, false, density);
+    const std::vector<sim::SurfacePoint> after = pointsToHairline(skin, curve, true, density);
+    if (all.empty() && after.empty())
+        return curve;
+    std::ranges::reverse(all);
+    const std::size_t first = all.size();
+    const std::size_t last = first + points.size() - 1;
+    all.insert(all.end(), points.begin(), points.end());
+    all.insert(all.end(), after.begin(), after.end());
+    PartCurve led(skin, all);
+    const std::vector<PartCurve::Sample>& samples = led.samples();
+    const auto alongM = [&](std::size_t point) {
+        const auto at = std::ranges::lower_bound(samples, point, {}, &PartCurve::Sample::point);
+        return at != samples.end() ? at->alongM : led.lengthM();
+    };
+    look.leadInM = alongM(first);
+    look.leadOutM = after.empty() ? 0.0F : led.lengthM() - alongM(last);
+    return led;
+}
+
 PartField::PartField(SkinFrames& frames, PartCurve curve, const PartLook& look)
     : m_look(look), m_curve(std::move(curve)), m_zigzag(look.zigzagM, partedM())
 {

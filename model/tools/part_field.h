@@ -20,6 +20,11 @@ struct PartLook
     float leadOutM = 0.0F; ///< and at its end, hair falls to both sides, straight and without a gap.
 };
 
+/// The curve through these points, led on over the hair before its ends; says in `look` how far. A part that begins
+/// behind the hairline would leave the hair before it to fall over the face. `density`: of one channel.
+[[nodiscard]] PartCurve ledToHairline(const sim::Skin& skin, const std::vector<sim::SurfacePoint>& points,
+                                      const sim::TiledRaster& density, PartLook& look);
+
 /// Where texels of the layout lie from a curve, and what a map's tiles become there. Computed between the samples of
 /// SkinFrames near the curve, with work in proportion to them. One thread makes it; any number read it.
 class PartField

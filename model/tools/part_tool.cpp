@@ -100,8 +100,6 @@ private:
     void change(Points points, const ToolContext& context);
     bool stepBack(const ToolContext& context);
     void show(const ToolContext& context);
-    /// The curve, led on over the hair before its ends; says in `look` how far.
-    [[nodiscard]] PartCurve ledToHairline(PartLook& look) const;
     void showTiles(const std::vector<int>& tiles, const LiveEdit::MakeTile& make, std::size_t layer);
     void showLaid(const PartField& field);
     void showGap(const PartField& field, const ToolContext& context);
@@ -315,36 +313,10 @@ void PartTool::show(const ToolContext& context)
                   .flatness = settings.flatness,
                   .gapM = settings.partGapM,
                   .zigzagM = settings.partZigzagM};
-    PartCurve led = ledToHairline(look);
+    PartCurve led = m_hair != nullptr ? ledToHairline(m_frames->skin(), m_points, *m_hair, look) : m_curve;
     const PartField field(*m_frames, std::move(led), look);
     showLaid(field);
     showGap(field, context);
-}
-
-/// A part that begins behind the hairline would leave the hair before it to fall over the face.
-PartCurve PartTool::ledToHairline(PartLook& look) const
-{
-    if (m_hair == nullptr || m_curve.empty())
-        return m_curve;
-    const sim::Skin& skin = m_frames->skin();
-    Points points = pointsToHairline(skin, m_curve, false, *m_hair);
-    const Points after = pointsToHairline(skin, m_curve, true, *m_hair);
-    if (points.empty() && after.empty())
-        return m_curve;
-    std::ranges::reverse(points);
-    const std::size_t first = points.size();
-    const std::size_t last = first + m_points.size() - 1;
-    points.insert(points.end(), m_points.begin(), m_points.end());
-    points.insert(points.end(), after.begin(), after.end());
-    PartCurve led(skin, points);
-    const std::vector<PartCurve::Sample>& samples = led.samples();
-    const auto alongM = [&](std::size_t point) {
-        const auto at = std::ranges::lower_bound(samples, point, {}, &PartCurve::Sample::point);
-        return at != samples.end() ? at->alongM : led.lengthM();
-    };
-    look.leadInM = alongM(first);
-    look.leadOutM = after.empty() ? 0.0F : led.lengthM() - alongM(last);
-    return led;
 }
 
 /// Several threads make them.

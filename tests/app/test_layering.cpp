@@ -55,6 +55,7 @@ constexpr Room kRooms[] = {
     {"model", "styles", "values project maps"},
     {"model", "document", "values project maps patches styles"},
     {"model", "tools", "values project maps document"},
+    {"model", "handles", "values project maps styles document tools"},
     {"model", "files", "values project disk maps heads styles"},
     {"model", "growth", "values project heads styles files"},
     {"model", "journal", "values project disk document files"},

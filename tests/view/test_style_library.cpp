@@ -34,7 +34,7 @@ struct LibraryFixture : StripFixture
 {
     LibraryFixture()
     {
-        strip.resize(900, strip.height());
+        strip.resize(1040, strip.height());
         const auto entry = [](const char* path, const char* name, const QStringList& tags, bool own) {
             return model::PresetEntry{.path = QLatin1String(path),
                                       .name = QLatin1String(name),

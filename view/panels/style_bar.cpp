@@ -3,6 +3,7 @@
 
 #include "view/look/icons.h"
 #include "view/look/theme.h"
+#include "view/widgets/bar_slider.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -19,6 +20,7 @@ using model::StyleFolder;
 
 namespace {
 
+constexpr int kShare = 108;       ///< Width of the slider,
 constexpr int kSearch = 152;      ///< Width of the field,
 constexpr int kLeastSearch = 104; ///< where there is little room.
 
@@ -50,6 +52,15 @@ StyleBar::StyleBar(QWidget* parent) : QWidget(parent)
     m_part->setToolTip(tr("What pointing at a style shows and clicking takes; the rest of your hair stays"));
     for (const model::StylePartSpec& spec : model::styleParts())
         m_part->addItem(spec.part == model::StylePart::All ? tr("Whole style") : spec.titleText());
+    m_share = new BarSlider(tr("Mix"), this);
+    m_share->setObjectName(QStringLiteral("styleShare"));
+    m_share->setRange(0.0, 100.0);
+    m_share->setUnit(QStringLiteral("%"));
+    m_share->setDefaultValue(100.0);
+    m_share->setValue(100.0);
+    m_share->setPreferredWidth(kShare);
+    m_share->setHint(tr("How much of a style is taken; below 100% it is mixed with the hair that was there. Ties and "
+                        "braids, which can't be mixed, come with 50% and more"));
     m_search = new QLineEdit(this);
     m_search->setObjectName(QStringLiteral("styleSearch"));
     m_search->setPlaceholderText(tr("Find a style"));
@@ -61,9 +72,13 @@ StyleBar::StyleBar(QWidget* parent) : QWidget(parent)
     row->addWidget(m_folders, 1);
     row->addWidget(m_folderBox);
     row->addWidget(m_part);
+    row->addWidget(m_share);
     row->addWidget(m_search);
     for (QWidget* one : std::initializer_list<QWidget*>{m_folders, m_search})
         one->installEventFilter(this);
+    connect(m_share, &BarSlider::valueChanged, this, &StyleBar::shareMoved);
+    connect(m_share, &BarSlider::editingFinished, this, &StyleBar::shareSet);
+    connect(m_share, &BarSlider::editingCancelled, this, &StyleBar::shareTakenBack);
     connect(m_folders, &QTabBar::currentChanged, m_folderBox, &QComboBox::setCurrentIndex);
     connect(m_folderBox, &QComboBox::currentIndexChanged, m_folders, &QTabBar::setCurrentIndex);
     connect(m_folders, &QTabBar::currentChanged, this, &StyleBar::filterChanged);
@@ -89,6 +104,11 @@ model::StylePart StyleBar::part() const
     return model::styleParts()[static_cast<std::size_t>(std::max(m_part->currentIndex(), 0))].part;
 }
 
+double StyleBar::share() const
+{
+    return m_share->value() / 100.0;
+}
+
 void StyleBar::widen()
 {
     if (folder().kind == StyleFolder::Kind::All)
@@ -112,7 +132,8 @@ void StyleBar::takeKeys()
 void StyleBar::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    const int room = width() - 4 * metrics::kGap - m_part->sizeHint().width() - kLeastSearch;
+    const int room =
+        width() - 5 * metrics::kGap - m_part->sizeHint().width() - m_share->sizeHint().width() - kLeastSearch;
     const bool isRoomy = m_folders->sizeHint().width() <= room;
     m_folders->setVisible(isRoomy);
     m_folderBox->setVisible(!isRoomy);

@@ -22,7 +22,7 @@ StyleFitting::StyleFitting(EditorState& state, StyleQuestion& question, QObject*
     });
     connect(&question, &StyleQuestion::replaceChosen, this, [this] {
         if (const std::optional<Asked> asked = std::exchange(m_asked, std::nullopt)) {
-            const model::StyleUse whole{.part = asked->use.part};
+            const model::StyleUse whole{.part = asked->use.part, .share = asked->use.share};
             showStyle(asked->preset, whole);
             commit(asked->preset, whole);
         }
@@ -30,20 +30,70 @@ StyleFitting::StyleFitting(EditorState& state, StyleQuestion& question, QObject*
     connect(&question, &StyleQuestion::cancelChosen, this, &StyleFitting::dismiss);
     connect(&state.document(), &model::Document::editEnded, this, &StyleFitting::editEnded);
     connect(&state.document(), &model::Document::changed, this, [this](const Change& change) {
-        if (change.aspect == Change::Aspect::Everything)
+        if (change.aspect == Change::Aspect::Everything) {
             m_untouched.clear();
+            m_kept.reset();
+        }
     });
 }
 
 model::StyleUse StyleFitting::useOf(const model::Preset& preset, StylePart part) const
 {
     const model::Project& project = m_state.document().committed();
-    model::StyleUse use{.part = part, .kept = groupsContested(project, preset)};
+    model::StyleUse use{.part = part, .kept = groupsContested(project, preset), .share = m_share};
     std::erase_if(use.kept, [&](model::Id id) {
         const auto known = m_untouched.find(id);
         return known != m_untouched.end() && known->second == *project.group(id);
     });
     return use;
+}
+
+void StyleFitting::setShare(double share)
+{
+    m_share = share;
+    if (m_asked)
+        return;
+    const model::Project& project = m_state.document().committed();
+    if (!m_kept || m_kept->groupsAfter != project.groups || m_kept->wornAfter != project.worn)
+        return;
+    begin();
+    m_mixes = true;
+    m_kept->use.share = share;
+    m_state.document().show(m_edit, {.text = applyPresetText(*m_kept->preset, m_kept->use.part, share)},
+                            {.aspect = Change::Aspect::GroupList}, [kept = *m_kept](model::Project& shown) {
+                                shown.groups = kept.groupsBefore;
+                                shown.worn = kept.wornBefore;
+                                applyPreset(shown, *kept.preset, kept.use);
+                            });
+}
+
+void StyleFitting::keepShare()
+{
+    if (!std::exchange(m_mixes, false) || !m_edit.active())
+        return;
+    m_before.reset();
+    m_edit.setText(applyPresetText(*m_kept->preset, m_kept->use.part, m_share));
+    m_edit.commit();
+    remember();
+}
+
+void StyleFitting::takeShareBack(double share)
+{
+    m_share = share;
+    if (!std::exchange(m_mixes, false))
+        return;
+    m_kept->use.share = share;
+    m_edit.drop();
+}
+
+void StyleFitting::remember()
+{
+    const model::Project& project = m_state.document().committed();
+    m_kept->groupsAfter = project.groups;
+    m_kept->wornAfter = project.worn;
+    for (const model::Id id : groupsReplaced(project, *m_kept->preset))
+        if (std::ranges::find(m_kept->use.kept, id) == m_kept->use.kept.end() && m_kept->use.part == StylePart::All)
+            m_untouched.insert_or_assign(id, *project.group(id));
 }
 
 void StyleFitting::show(const PresetPtr& preset, StylePart part)
@@ -72,6 +122,7 @@ void StyleFitting::editEnded()
 {
     if (m_edit.active())
         return;
+    m_mixes = false;
     m_asked.reset();
     m_question.close();
     if (!m_before)
@@ -119,14 +170,18 @@ void StyleFitting::ask(const PresetPtr& preset, const model::StyleUse& use)
 
 void StyleFitting::commit(const PresetPtr& preset, const model::StyleUse& use)
 {
-    m_edit.setText(applyPresetText(*preset, use.part));
+    m_edit.setText(applyPresetText(*preset, use.part, use.share));
     m_before.reset(); // The style's own is kept.
+    const model::Project& before = m_state.document().committed();
+    m_kept = Kept{.preset = preset,
+                  .use = use,
+                  .groupsBefore = before.groups,
+                  .groupsAfter = {},
+                  .wornBefore = before.worn,
+                  .wornAfter = {}};
     m_edit.commit();
     m_question.close();
-    const model::Project& project = m_state.document().committed();
-    for (const model::Id id : groupsReplaced(project, *preset))
-        if (std::ranges::find(use.kept, id) == use.kept.end() && use.part == StylePart::All)
-            m_untouched.insert_or_assign(id, *project.group(id));
+    remember();
     // On a bald head only Density makes hair.
     const auto density = m_state.document().resolvedNow(m_state.target().group(), model::MapKind::Density);
     if (density != nullptr && density->uniformValue() == sim::Texel{})

@@ -22,6 +22,11 @@ class StyleFitting : public QObject
 public:
     StyleFitting(EditorState& state, StyleQuestion& question, QObject* parent);
 
+    /// 0..1: how much of a style is shown and put on from now on, as in model::StyleUse. Where the hair is still as the
+    /// last style left it, that style is shown anew with as much of it, over the hair that was there before.
+    void setShare(double share);
+    void keepShare();                 ///< What setShare() shows becomes one undo step.
+    void takeShareBack(double share); ///< Nothing of it does; `share` is in force again.
     /// Previews a style; does nothing while a question is open.
     void show(const PresetPtr& preset, model::StylePart part);
     [[nodiscard]] bool shows() const { return m_edit.active(); }
@@ -41,6 +46,15 @@ private:
         PresetPtr preset;
         model::StyleUse use;
     };
+    /// What a style was put on over, and what came of it.
+    struct Kept
+    {
+        PresetPtr preset;
+        model::StyleUse use;
+        std::vector<model::HairGroup> groupsBefore, groupsAfter;
+        std::vector<model::Worn> wornBefore, wornAfter;
+    };
+    void remember(); ///< The hair is as the style left it.
     [[nodiscard]] model::StyleUse useOf(const model::Preset& preset, model::StylePart part) const;
     void begin();
     void showStyle(const PresetPtr& preset, const model::StyleUse& use);
@@ -51,6 +65,9 @@ private:
     EditorState& m_state;
     StyleQuestion& m_question;
     std::optional<Asked> m_asked;
+    double m_share = 1.0;
+    std::optional<Kept> m_kept;
+    bool m_mixes = false;                        ///< setShare() shows the last style.
     model::EditSession m_edit;                   ///< Of the style that is shown.
     std::optional<model::LayerAddress> m_before; ///< What was active before, while a style is shown.
     /// Groups as a style put them on; as long as they are so, another style may replace them without a question.

@@ -4,6 +4,8 @@
 #include "model/values/names.h"
 #include "model/values/search_text.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 
 namespace hairpaint::view {
@@ -71,6 +73,24 @@ void StyleMarks::rename(const QString& before, const QString& after)
             list->replace(at, after);
             list->removeDuplicates();
         }
+}
+
+StyleSign signOf(const model::StyleFolder& folder, const QString& words)
+{
+    using Kind = model::StyleFolder::Kind;
+    const auto text = [](const char* source) { return QCoreApplication::translate("StyleStrip", source); };
+    const QString all = text(QT_TRANSLATE_NOOP("StyleStrip", "Show all styles"));
+    if (!words.isEmpty() && folder.kind == Kind::All)
+        return {text(QT_TRANSLATE_NOOP("StyleStrip", "No style is found for '%1'")).arg(words), all};
+    if (!words.isEmpty())
+        return {
+            text(QT_TRANSLATE_NOOP("StyleStrip", "No style in '%1' is found for '%2'")).arg(folder.titleText(), words),
+            text(QT_TRANSLATE_NOOP("StyleStrip", "Search in all folders"))};
+    if (folder.kind == Kind::Favourites)
+        return {text(QT_TRANSLATE_NOOP("StyleStrip", "The star in a picture's corner brings a style here.")), all};
+    if (folder.kind == Kind::Recent)
+        return {text(QT_TRANSLATE_NOOP("StyleStrip", "Styles that you put on come here.")), all};
+    return {text(QT_TRANSLATE_NOOP("StyleStrip", "There are no styles in this folder yet.")), all};
 }
 
 } // namespace hairpaint::view

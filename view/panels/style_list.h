@@ -25,6 +25,15 @@ struct StyleMarks
     friend bool operator==(const StyleMarks&, const StyleMarks&) = default;
 };
 
+/// What stands where a folder shows no style, and the text of the button that leads on.
+struct StyleSign
+{
+    QString sentence;
+    QString way;
+};
+/// `words`: searched for; empty: none.
+[[nodiscard]] StyleSign signOf(const model::StyleFolder& folder, const QString& words);
+
 /// GUI thread, since texts are compared in the user's language.
 class StyleList
 {

@@ -10,6 +10,10 @@ namespace hairpaint::view {
 namespace {
 
 constexpr std::array kOrders{
+    StyleOrderSpec{.order = StyleOrder::About,
+                   .title = QT_TRANSLATE_NOOP("StyleOrders", "About this style…"),
+                   .key = Qt::CTRL | Qt::Key_I,
+                   .ofOwn = false},
     StyleOrderSpec{.order = StyleOrder::Rename,
                    .title = QT_TRANSLATE_NOOP("StyleOrders", "Rename style…"),
                    .key = QKeyCombination(Qt::Key_F2)},

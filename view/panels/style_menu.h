@@ -14,6 +14,7 @@ namespace hairpaint::view {
 /// What the program is to do with a style's file.
 enum class StyleOrder : std::uint8_t
 {
+    About, ///< Its card.
     Rename,
     Tag,
     Replace, ///< By the hair that is open.

@@ -3,6 +3,7 @@
 
 #include "model/values/names.h"
 #include "view/look/theme.h"
+#include "view/panels/handle_panel.h"
 #include "view/panels/style_bar.h"
 #include "view/panels/style_fitting.h"
 #include "view/panels/style_notice.h"
@@ -11,6 +12,7 @@
 #include "view/panels/style_tile.h"
 
 #include <QApplication>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QVBoxLayout>
 
@@ -40,12 +42,22 @@ StyleStrip::StyleStrip(EditorState& state, Loader loader, Start start, QWidget* 
     m_row = new StyleRow(this); // First: the keys begin at the pictures.
     m_bar = new StyleBar(this);
     layout->addWidget(m_bar);
-    layout->addWidget(m_row, 1);
+    auto* below = new QHBoxLayout;
+    below->setSpacing(0);
+    below->addWidget(m_row, 1);
+    below->addWidget(new HandlePanel(state, this));
+    layout->addLayout(below, 1);
     followRow();
     m_notice = new StyleNotice(this);
     connect(m_notice, &StyleNotice::undoChosen, this, &StyleStrip::undoWanted);
     m_question = new StyleQuestion(this);
     m_fitting = new StyleFitting(state, *m_question, this);
+    connect(m_bar, &StyleBar::shareMoved, this, [this] {
+        stopPointing();
+        m_fitting->setShare(m_bar->share());
+    });
+    connect(m_bar, &StyleBar::shareSet, m_fitting, &StyleFitting::keepShare);
+    connect(m_bar, &StyleBar::shareTakenBack, this, [this] { m_fitting->takeShareBack(m_bar->share()); });
     connect(m_fitting, &StyleFitting::asking, this, &StyleStrip::asking);
     connect(m_fitting, &StyleFitting::failed, this, &StyleStrip::failed);
     connect(m_fitting, &StyleFitting::kept, this, [this] {
@@ -161,27 +173,10 @@ void StyleStrip::filter()
     const bool isOfUser = folder.kind == StyleFolder::Kind::All || folder.kind == StyleFolder::Kind::Own;
     if (isOfUser && m_bar->words().isEmpty())
         shown.emplace_back(); // "Save style"
-    if (shown.empty())
-        showSign();
-    else
-        m_row->showOnly(shown);
-}
-
-void StyleStrip::showSign()
-{
-    const StyleFolder& folder = m_bar->folder();
-    const QString words = m_bar->words();
-    if (!words.isEmpty() && folder.kind == StyleFolder::Kind::All)
-        m_row->showSign(tr("No style is found for '%1'").arg(words), tr("Show all styles"));
-    else if (!words.isEmpty())
-        m_row->showSign(tr("No style in '%1' is found for '%2'").arg(folder.titleText(), words),
-                        tr("Search in all folders"));
-    else if (folder.kind == StyleFolder::Kind::Favourites)
-        m_row->showSign(tr("The star in a picture's corner brings a style here."), tr("Show all styles"));
-    else if (folder.kind == StyleFolder::Kind::Recent)
-        m_row->showSign(tr("Styles that you put on come here."), tr("Show all styles"));
-    else
-        m_row->showSign(tr("There are no styles in this folder yet."), tr("Show all styles"));
+    if (!shown.empty())
+        return m_row->showOnly(shown);
+    const StyleSign sign = signOf(folder, m_bar->words());
+    m_row->showSign(sign.sentence, sign.way);
 }
 
 void StyleStrip::showMenu(StyleTile* tile, const QPoint& globalPosition)
@@ -270,6 +265,11 @@ void StyleStrip::arrived(const QString& path, const PresetPtr& preset)
     } else if (m_pointed && m_pointed->path == path) {
         m_fitting->show(preset, m_pointed->part);
     }
+}
+
+void StyleStrip::choose(const QString& path)
+{
+    commitWish({.path = path, .part = m_bar->part()});
 }
 
 void StyleStrip::putOn(const PresetPtr& preset)

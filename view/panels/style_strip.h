@@ -44,6 +44,7 @@ public:
 
 public Q_SLOTS:
     void setPicture(const QString& path, const QImage& picture);
+    void choose(const QString& path);        ///< As if its picture were clicked.
     void offerUndo(const QString& sentence); ///< Over the foot of the strip; an empty sentence takes it away.
     /// As if it were one of the strip's and clicked; it is on this head already.
     void putOn(const hairpaint::view::PresetPtr& preset);
@@ -72,7 +73,6 @@ private:
     [[nodiscard]] StyleTile* makeTile(const model::PresetEntry& entry);
     void followRow();
     void filter();
-    void showSign();
     void showMenu(StyleTile* tile, const QPoint& globalPosition);
     void pointAt(const QString& path);
     void pointAt(const Wish& wish);

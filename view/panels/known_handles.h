@@ -1,0 +1,34 @@
+// The handles of groups as they are, and at which values they stand.
+#pragma once
+
+#include "model/handles/hair_handles.h"
+
+#include <memory>
+#include <vector>
+
+namespace hairpaint::view {
+
+/// A state of a group that its handles made: undo and redo come back to it. Hair that no handle made is a new base,
+/// with all handles at their usual values. The last few states stay in memory. GUI thread.
+class KnownHandles
+{
+public:
+    struct State
+    {
+        model::Id group = 0;
+        std::shared_ptr<const model::Head> head;
+        model::HandledHair hair;
+        model::HandleValues values;
+        std::shared_ptr<model::HairHandles> handles;
+    };
+    /// Of the group as it is committed, which must be there; no edit of it is shown now.
+    [[nodiscard]] const State& of(model::Document& document, model::Id group);
+    /// The group will be so.
+    void add(State state);
+
+private:
+    static constexpr std::size_t kKept = 16;
+    std::vector<State> m_states; ///< The latest last.
+};
+
+} // namespace hairpaint::view
