@@ -13,7 +13,6 @@
 #include "view/rendering/scene.h"
 #include "view/rendering/standard_views.h"
 
-
 #include <memory>
 #include <optional>
 

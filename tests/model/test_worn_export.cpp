@@ -1,0 +1,160 @@
+// What is worn leaves with the hair.
+#include "model/exporting/export_format.h"
+#include "tests/model/archive_maker.h"
+#include "tests/model/exported_hair.h"
+#include "tests/support/glb_json.h"
+#include "tests/support/test_program.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace hairpaint;
+using namespace hairpaint::model;
+
+namespace {
+
+Worn onTopOfAll(WornKind kind, Id id)
+{
+    sim::SurfacePoint point;
+    point.positionHd = {0.0F, 0.1F, 0.0F};
+    Worn worn = makeWorn(wornSpec(kind), point);
+    worn.id = id;
+    worn.shape.rotation = glm::quat(0.5F, 0.5F, -0.5F, 0.5F);
+    return worn;
+}
+
+std::vector<Worn> oneOfEachKind()
+{
+    std::vector<Worn> all;
+    all.reserve(wornSpecs().size());
+    for (const WornSpec& spec : wornSpecs())
+        all.push_back(onTopOfAll(spec.kind, static_cast<Id>(all.size() + 1)));
+    return all;
+}
+
+} // namespace
+
+class TestWornExport : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void whatIsDrawnGoesOutWithTheCards_data()
+    {
+        QTest::addColumn<bool>("withHead");
+        QTest::newRow("with the head") << true;
+        QTest::newRow("hair alone") << false;
+    }
+    void whatIsDrawnGoesOutWithTheCards()
+    {
+        QFETCH(bool, withHead);
+        const std::vector<Worn> all = oneOfEachKind();
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("hair.glb"));
+        const auto frame = test::frameOf({test::hairGroup(1, 20'000, 65535, 0)});
+        const Result<void> written =
+            exportHair(frame,
+                       {.format = &cardFormat(),
+                        .target = findExportTarget(QLatin1StringView("any")),
+                        .curves = test::allOf(*frame),
+                        .cards = {.triangles = 1000, .atlasPx = test::kTinyAtlasPx, .withHead = withHead},
+                        .worn = all},
+                       path);
+        QVERIFY2(written, written ? "" : qPrintable(written.error().message));
+        const QJsonObject json = test::jsonOf(test::readBytes(path));
+        const QJsonArray meshes = json[QLatin1String("meshes")].toArray();
+        for (const Worn& worn : all) {
+            const WornSpec& spec = wornSpec(worn.kind);
+            const QString name = QStringLiteral("Worn %1 %2").arg(QLatin1StringView(spec.id)).arg(worn.id);
+            const auto mesh = std::ranges::find_if(
+                meshes, [&name](const QJsonValue& one) { return one[QLatin1String("name")].toString() == name; });
+            QCOMPARE(mesh != meshes.end(), spec.drawn());
+            if (mesh == meshes.end())
+                continue;
+            const QJsonValue attributes = (*mesh)[QLatin1String("primitives")][0][QLatin1String("attributes")];
+            const QJsonValue positions =
+                json[QLatin1String("accessors")][attributes[QLatin1String("POSITION")].toInt()];
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto centre = static_cast<double>(worn.shape.centreHd[axis]);
+                const auto radius = static_cast<double>(worn.shape.semiAxesM.x * spec.reach);
+                const double below = centre - positions[QLatin1String("min")][axis].toDouble();
+                const double above = positions[QLatin1String("max")][axis].toDouble() - centre;
+                if (worn.kind == WornKind::Ball)
+                    QVERIFY(std::abs(below - radius) < 1e-4 && std::abs(above - radius) < 1e-4);
+                QVERIFY(below < 1.2 * radius && above < 1.2 * radius);
+            }
+        }
+    }
+
+    void whatIsDrawnGoesOutWithTheHair()
+    {
+        const Worn ball = onTopOfAll(WornKind::Ball, 7);
+        const std::size_t faces = wornMesh(ball, nullptr)->triangles.size();
+        QTemporaryDir folder;
+        const auto frame = test::frameOf({test::hairGroup(1, 20'000, 65535, 0)});
+        const auto write = [&](const QString& name) {
+            const QString path = folder.filePath(name);
+            const auto written = exportHair(frame,
+                                            {.format = findExportFormat(path),
+                                             .target = findExportTarget(QLatin1StringView("any")),
+                                             .curves = test::allOf(*frame),
+                                             .worn = {ball}},
+                                            path);
+            return written ? QString::fromUtf8(test::readBytes(path)) : QString();
+        };
+
+        const QString name = QStringLiteral("Worn_ball_%1").arg(ball.id);
+        const QString obj = write(QStringLiteral("hair.obj"));
+        const QString object = obj.mid(obj.indexOf(QStringLiteral("\no %1\n").arg(name)) + 1);
+        QVERIFY(object.startsWith(QStringLiteral("o %1\n").arg(name)));
+        QCOMPARE(object.count(QLatin1String("\nf ")), static_cast<qsizetype>(faces));
+        // The last face names the last vertices, counted through all objects, and the last uv and normals, which are
+        // its own alone.
+        const qsizetype vertices = obj.count(QLatin1String("\nv "));
+        const qsizetype own = object.count(QLatin1String("\nvn "));
+        QCOMPARE(own, static_cast<qsizetype>(wornMesh(ball, nullptr)->positionsHd.size()));
+        QVERIFY(object.contains(QStringLiteral(" %1/%2/%2").arg(vertices).arg(own)));
+        QVERIFY(!object.contains(QStringLiteral(" %1/").arg(vertices + 1)));
+        for (const QString& line : object.split(QLatin1Char('\n'))) {
+            const QStringList words = line.split(QLatin1Char(' '));
+            if (words.front() != QLatin1String("v"))
+                continue;
+            const glm::vec3 point(words[1].toFloat(), words[2].toFloat(), words[3].toFloat());
+            QVERIFY(std::abs(glm::distance(point, ball.shape.centreHd) - ball.shape.semiAxesM.x) < 1e-4F);
+            QCOMPARE(qRound(255.0 * words[4].toDouble()), qRed(ball.colour));
+        }
+
+        const QString usd = write(QStringLiteral("hair.usda"));
+        const QString prim = usd.mid(usd.indexOf(QStringLiteral("def Mesh \"%1\"").arg(name)));
+        QVERIFY(prim.startsWith(QLatin1String("def Mesh")));
+        const auto list = [&prim](const char* of) {
+            const qsizetype at = prim.indexOf(QLatin1StringView(of)) + static_cast<qsizetype>(qstrlen(of));
+            return prim.mid(at, prim.indexOf(QLatin1Char(']'), at) - at);
+        };
+        QCOMPARE(list("faceVertexCounts = [").count(QLatin1Char('3')), static_cast<qsizetype>(faces));
+        QCOMPARE(list("faceVertexIndices = [").count(QLatin1Char(',')) + 1, static_cast<qsizetype>(3 * faces));
+        QCOMPARE(list("points = [").count(QLatin1Char('(')), own);
+        QVERIFY(prim.contains(QStringLiteral("rel material:binding = </Hair/%1/Material>").arg(name)));
+        QVERIFY(prim.contains(QLatin1String("info:id = \"UsdPreviewSurface\"")));
+        QCOMPARE(usd.count(QLatin1Char('{')), usd.count(QLatin1Char('}')));
+
+        QVERIFY(!write(QStringLiteral("hair.glb")).isEmpty()); // Ribbons.
+        const QByteArray glb = test::readBytes(folder.filePath(QStringLiteral("hair.glb")));
+        const QJsonObject json = test::jsonOf(glb);
+        const QJsonValue mesh = json[QLatin1String("meshes")].toArray().last();
+        QCOMPARE(mesh[QLatin1String("name")].toString(), QStringLiteral("Worn ball %1").arg(ball.id));
+        const QJsonValue primitive = mesh[QLatin1String("primitives")][0];
+        const QJsonValue indices = json[QLatin1String("accessors")][primitive[QLatin1String("indices")].toInt()];
+        QCOMPARE(indices[QLatin1String("count")].toInt(), static_cast<int>(3 * faces));
+        // The chunk is as long as the buffer says.
+        const QJsonValue view = json[QLatin1String("bufferViews")].toArray().last();
+        QCOMPARE(view[QLatin1String("byteOffset")].toInt() + view[QLatin1String("byteLength")].toInt(),
+                 json[QLatin1String("buffers")][0][QLatin1String("byteLength")].toInt());
+        QVERIFY(glb.size() >= json[QLatin1String("buffers")][0][QLatin1String("byteLength")].toInt());
+    }
+};
+
+HAIRPAINT_TEST(TestWornExport, Core)
+#include "test_worn_export.moc"
