@@ -45,6 +45,7 @@ StyleCard::StyleCard(const QString& name, bool isForeignHead, QWidget* parent) :
     column->addLayout(pictures);
     m_progress = new QProgressBar(this);
     m_progress->setRange(0, static_cast<int>(kPictures) + 1);
+    m_progress->setValue(0);
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(4);
     m_progress->setAccessibleName(tr("How much of the card is there"));
