@@ -5,6 +5,7 @@
 #include "model/heads/built_in_heads.h"
 #include "model/styles/hair_kinds.h"
 #include "model/styles/style_transfer.h"
+#include "model/values/texel_math.h"
 
 #include <QLatin1StringView>
 
@@ -84,11 +85,6 @@ constexpr std::array kFaceGroups{
                                 .length = 0.12F + 0.14F * faded(0.0F, 0.010F, inside)};
               }},
 };
-
-std::uint16_t unit16(float fraction)
-{
-    return static_cast<std::uint16_t>(std::lround(65535.0F * std::clamp(fraction, 0.0F, 1.0F)));
-}
 
 /// Paints density and length where something grows.
 void paint(HairGroup& group, const FaceGroup& what, const Head& head)

@@ -18,12 +18,12 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr double kHalf = 0.5;
+constexpr double kHalfMixed = 0.5;
 constexpr double kFull = 65535.0;
 
 sim::GroupSettings mixedSettings(const sim::GroupSettings& from, const sim::GroupSettings& to, double share)
 {
-    sim::GroupSettings mixed = share < kHalf ? from : to;
+    sim::GroupSettings mixed = share < kHalfMixed ? from : to;
     for (const GroupSetting& row : groupSchema())
         if (!row.isSwitch() && row.choices.empty())
             row.write(mixed, std::lerp(row.read(from), row.read(to), share));
@@ -131,7 +131,7 @@ HairGroup mixedGroup(const HairGroup& from, HairGroup to, double share, const He
         if (stack.sharesWith(before))
             continue; // A part of a style leaves it alone.
         if (!texelOps(spec).continuous) {
-            if (share < kHalf)
+            if (share < kHalfMixed)
                 stack = before;
             continue;
         }
@@ -144,7 +144,7 @@ HairGroup mixedGroup(const HairGroup& from, HairGroup to, double share, const He
         stack = MapStack{.kind = spec.kind, .size = stack->size, .layers = {std::move(layer)}};
     }
     to.settings = settings;
-    if (share < kHalf) {
+    if (share < kHalfMixed) {
         to.visible = from.visible;
         to.name = from.name;
     }
