@@ -5005,8 +5005,8 @@ Se ha perdido esto:</translation>
         <translation>Dibujando el peinado %1</translation>
     </message>
     <message>
-        <source>of its own</source>
-        <translation>propio</translation>
+        <source>none chosen</source>
+        <translation>sin elegir</translation>
     </message>
     <message>
         <source>Hair</source>
@@ -5755,6 +5755,10 @@ Se ha perdido esto:</translation>
 </context>
 <context>
     <name>hairpaint::view::HandlePanel</name>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
     <message>
         <source>Handles of this haircut</source>
         <translation>Ajustes de este corte</translation>

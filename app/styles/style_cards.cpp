@@ -110,7 +110,7 @@ std::vector<std::pair<QString, QString>> StyleCards::factsOf(const Hair& hair)
             continue;
         groups.append(model::shownName(group.name));
         const std::optional<std::size_t> type = model::hairTypeOf(group.settings);
-        const QString shown = type ? QString::fromLatin1(model::hairTypes()[*type].name) : tr("of its own");
+        const QString shown = type ? QString::fromLatin1(model::hairTypes()[*type].name) : tr("none chosen");
         if (!types.contains(shown))
             types.append(shown);
         for (const model::MapSpec& spec : model::mapSpecs())

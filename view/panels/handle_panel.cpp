@@ -52,7 +52,7 @@ HandlePanel::HandlePanel(EditorState& state, QWidget* parent) : QWidget(parent),
     column->setSpacing(metrics::kGrid);
     addSlider(HandleKind::Length, QStringLiteral("%"), 100.0, 0);
     addSlider(HandleKind::Fringe, QStringLiteral("%"), 100.0, 0);
-    addSlider(HandleKind::Fade, QStringLiteral("cm"), 100.0, 1);
+    addSlider(HandleKind::Fade, tr("cm"), 100.0, 1);
     addPart();
     m_nothing = new QLabel(tr("This group has no hair yet: a style gives it some."), this);
     m_nothing->setWordWrap(true);

@@ -27,7 +27,7 @@ public:
     void add(State state);
 
 private:
-    static constexpr std::size_t kKept = 16;
+    static constexpr std::size_t kKept = 8;
     std::vector<State> m_states; ///< The latest last.
 };
 
