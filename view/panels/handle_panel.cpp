@@ -66,6 +66,10 @@ HandlePanel::HandlePanel(EditorState& state, QWidget* parent) : QWidget(parent),
     connect(&state.target(), &EditTarget::changed, this, later);
     connect(&state.document(), &model::Document::editEnded, this, later);
     connect(&state.document(), &model::Document::changed, this, [this](const Change& change) {
+        if (change.aspect == Change::Aspect::Everything && !change.preview) {
+            m_base.reset();
+            m_known.forget();
+        }
         if (concerns(change))
             m_later.start();
     });

@@ -25,6 +25,7 @@ public:
     [[nodiscard]] const State& of(model::Document& document, model::Id group);
     /// The group will be so.
     void add(State state);
+    void forget() { m_states.clear(); } ///< None of them comes back.
 
 private:
     static constexpr std::size_t kKept = 8;
