@@ -16,8 +16,8 @@ using namespace hairpaint::test;
 
 namespace {
 
-constexpr std::uint64_t kSeed = 7;
-constexpr std::uint32_t kHairs = 20'000;
+constexpr std::uint64_t kVariedSeed = 7;
+constexpr std::uint32_t kVariedHairs = 20'000;
 
 /// All amounts, so that each is seen to leave the others' members alone.
 struct Amount
@@ -93,8 +93,8 @@ private Q_SLOTS:
         settings.*amount.setting = amount.amount;
         double sum = 0.0;
         double most = 0.0;
-        for (std::uint32_t rank = 0; rank < kHairs; ++rank) {
-            const HairVariation own = variationOf(settings, kSeed, rank);
+        for (std::uint32_t rank = 0; rank < kVariedHairs; ++rank) {
+            const HairVariation own = variationOf(settings, kVariedSeed, rank);
             const double size = std::abs(amount.deviation(own));
             sum += size;
             most = std::max(most, size);
@@ -103,7 +103,8 @@ private Q_SLOTS:
                     QCOMPARE(other.deviation(own), 0.0);
         }
         QVERIFY2(most <= amount.most + 1e-6 && most > 0.9 * amount.most, qPrintable(QString::number(most)));
-        QVERIFY2(std::abs(sum / kHairs - amount.mean) < 0.06 * amount.mean, qPrintable(QString::number(sum / kHairs)));
+        QVERIFY2(std::abs(sum / kVariedHairs - amount.mean) < 0.06 * amount.mean,
+                 qPrintable(QString::number(sum / kVariedHairs)));
     }
 
     void whatAHairHasFromChanceDoesNotHangOnWhatElseIsSet()
@@ -116,8 +117,8 @@ private Q_SLOTS:
             VariationSettings alone;
             alone.*amount.setting = all.*amount.setting;
             for (std::uint32_t rank = 0; rank < 100; ++rank)
-                QCOMPARE(amount.deviation(variationOf(all, kSeed, rank)),
-                         amount.deviation(variationOf(alone, kSeed, rank)));
+                QCOMPARE(amount.deviation(variationOf(all, kVariedSeed, rank)),
+                         amount.deviation(variationOf(alone, kVariedSeed, rank)));
         }
     }
 
@@ -126,7 +127,7 @@ private Q_SLOTS:
         const VariationSettings settings{.length = 0.2F, .mostShorterM = 0.015F};
         float most = 0.0F;
         for (std::uint32_t rank = 0; rank < 1000; ++rank) {
-            const float own = variationOf(settings, kSeed, rank).length;
+            const float own = variationOf(settings, kVariedSeed, rank).length;
             most = std::max(most, 0.5F - 0.5F * lengthLeft(settings, own, 0.5F, glm::vec3(0.0F)));
             QCOMPARE(lengthLeft(settings, own, 0.05F, glm::vec3(0.0F)), own); // Short hair by its fraction.
         }
@@ -137,7 +138,7 @@ private Q_SLOTS:
     {
         const VariationSettings settings{.length = 0.2F, .mostShorterM = 0.015F, .patches = 0.5F};
         for (std::uint32_t rank = 0; rank < 200; ++rank) {
-            const float own = variationOf(settings, kSeed, rank).length;
+            const float own = variationOf(settings, kVariedSeed, rank).length;
             const glm::vec3 root(0.0F, 0.001F * static_cast<float>(rank), 0.1F);
             for (const float leftM : {0.002F, 0.02F, 0.1F, 0.6F}) {
                 const float beforeM = lengthBefore(settings, own, leftM, root);
@@ -182,7 +183,7 @@ private Q_SLOTS:
     {
         const SkinFrame frame{};
         const VariationSettings settings{.parting = 0.003F};
-        QCOMPARE(strayOf({}, kSeed, 1, glm::vec3(0.1F), frame), glm::vec3(0.0F));
+        QCOMPARE(strayOf({}, kVariedSeed, 1, glm::vec3(0.1F), frame), glm::vec3(0.0F));
         float most = 0.0F;
         float leastOfLine = 1.0F;
         float mostOfLine = -1.0F;
@@ -192,7 +193,7 @@ private Q_SLOTS:
             glm::vec3 mean(0.0F);
             constexpr std::uint32_t kMany = 400;
             for (std::uint32_t rank = 0; rank < kMany; ++rank) {
-                const glm::vec3 stray = strayOf(settings, kSeed, rank, rootHd, frame);
+                const glm::vec3 stray = strayOf(settings, kVariedSeed, rank, rootHd, frame);
                 QVERIFY(std::abs(glm::dot(stray, frame.normal)) < 1e-6F);
                 most = std::max(most, glm::dot(stray, frame.x));
                 mean += stray / static_cast<float>(kMany);
