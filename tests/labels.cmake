@@ -48,23 +48,31 @@ set(hairpaint_label_rows
     "app\\..*" "window"
 )
 
-# hairpaint_labels(ENTRY VARIABLE): its labels; empty where this build does not run it.
-function(hairpaint_labels entry variable)
+# hairpaint_row(ROWS ENTRY VARIABLE): what stands beside the first expression of these rows that matches; empty where none does.
+function(hairpaint_row rows entry variable)
     set(${variable} "" PARENT_SCOPE)
-    set(rows ${hairpaint_label_rows})
     while(rows)
-        list(POP_FRONT rows pattern labels)
+        list(POP_FRONT rows pattern value)
         if(entry MATCHES "^(${pattern})$")
-            separate_arguments(labels)
-            foreach(label IN LISTS labels)
-                if(label IN_LIST hairpaint_labels_of_${HAIRPAINT_TESTS})
-                    set(${variable} "${labels}" PARENT_SCOPE)
-                endif()
-            endforeach()
+            set(${variable} "${value}" PARENT_SCOPE)
             return()
         endif()
     endwhile()
-    message(FATAL_ERROR "No row of tests/labels.cmake says what ${entry} is")
+endfunction()
+
+# hairpaint_labels(ENTRY VARIABLE): its labels; empty where this build does not run it.
+function(hairpaint_labels entry variable)
+    set(${variable} "" PARENT_SCOPE)
+    hairpaint_row("${hairpaint_label_rows}" ${entry} labels)
+    if(NOT labels)
+        message(FATAL_ERROR "No row of tests/labels.cmake says what ${entry} is")
+    endif()
+    separate_arguments(labels)
+    foreach(label IN LISTS labels)
+        if(label IN_LIST hairpaint_labels_of_${HAIRPAINT_TESTS})
+            set(${variable} "${labels}" PARENT_SCOPE)
+        endif()
+    endforeach()
 endfunction()
 
 # What an entry wants that Windows, or wine, does not have. It is compiled there, and not run.
@@ -76,13 +84,6 @@ set(hairpaint_lacks_on_windows
 
 # hairpaint_lacks(ENTRY VARIABLE): what it lacks on Windows; empty where that is nothing.
 function(hairpaint_lacks entry variable)
-    set(${variable} "" PARENT_SCOPE)
-    set(rows ${hairpaint_lacks_on_windows})
-    while(rows)
-        list(POP_FRONT rows pattern lack)
-        if(entry MATCHES "^(${pattern})$")
-            set(${variable} "${lack}" PARENT_SCOPE)
-            return()
-        endif()
-    endwhile()
+    hairpaint_row("${hairpaint_lacks_on_windows}" ${entry} lack)
+    set(${variable} "${lack}" PARENT_SCOPE)
 endfunction()
