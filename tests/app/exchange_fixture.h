@@ -4,6 +4,7 @@
 #include "app/exchange/exchange.h"
 #include "model/files/glb.h"
 #include "tests/app/window_fixture.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_heads.h"
 #include "view/dialogs/export_hair_dialog.h"
 #include "view/dialogs/export_maps_dialog.h"
@@ -125,7 +126,8 @@ protected:
 
     void open(model::Project project)
     {
-        qputenv("HAIRPAINT_IMPORT", HAIRPAINT_IMPORT_PROGRAM); // Lies beside the program, not beside this test.
+        qputenv("HAIRPAINT_IMPORT",
+                test::importProgram().toLocal8Bit()); // Lies beside the program, not beside this test.
         openWindow(std::move(project));
         m_answers = std::make_unique<Answerer>();
         m_done.clear();

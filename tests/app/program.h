@@ -1,6 +1,8 @@
 // The program run as a user's script runs it, and what it writes read back.
 #pragma once
 
+#include "tests/support/locations.h"
+
 #include <QByteArray>
 #include <QDir>
 #include <QElapsedTimer>
@@ -62,7 +64,7 @@ inline Outcome runProgram(const QStringList& arguments, const std::function<void
     if (inChild)
         process.setChildProcessModifier(inChild);
 #endif
-    process.start(QStringLiteral(HAIRPAINT_PROGRAM), arguments);
+    process.start(test::hairpaintProgram(), arguments);
     QElapsedTimer clock;
     clock.start();
     qint64 peakBytes = 0;

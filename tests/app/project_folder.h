@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/app/program.h"
+#include "tests/support/locations.h"
 
 #include <QColor>
 #include <QImage>
@@ -12,7 +13,7 @@ namespace hairpaint::test {
 /// An image of tests/data/images.
 inline QString drawn(const char* name)
 {
-    return QStringLiteral(HAIRPAINT_TEST_DATA "/images/%1.png").arg(QLatin1String(name));
+    return test::dataPath(u"images/%1.png").arg(QLatin1String(name));
 }
 
 class ProjectFolder

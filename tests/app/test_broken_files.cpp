@@ -6,6 +6,7 @@
 #include "model/files/project_file.h"
 #include "tests/app/program.h"
 #include "tests/model/archive_maker.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
 
@@ -298,7 +299,7 @@ private Q_SLOTS:
         writeBytes(image, pngOf(1, 1, 8, 2, packedZeros(4)));
         const QString head = path(QStringLiteral("any.glb"));
         writeBytes(head, model::glbFromMesh(makeBallHead(8)));
-        qputenv("HAIRPAINT_IMPORT", HAIRPAINT_FAKE_HELPER_PROGRAM);
+        qputenv("HAIRPAINT_IMPORT", test::fakeHelper().toLocal8Bit());
         qputenv("HAIRPAINT_FAKE_HELPER", mode);
         // Helpers that never answer are given up soon; the others may take their time on a busy machine.
         if (mode == "hang" || mode == "spin")

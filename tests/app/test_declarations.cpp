@@ -1,4 +1,5 @@
 // What a source defines for others is declared in the header of its name.
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QDirIterator>
@@ -29,12 +30,12 @@ QHash<QString, QString> textsOf(const QString& ending)
 {
     QHash<QString, QString> texts;
     for (const char* floor : {"sim", "model", "view", "app"}) {
-        QDirIterator walk(QStringLiteral(HAIRPAINT_SOURCE_DIR "/") + QLatin1String(floor), {QLatin1Char('*') + ending},
-                          QDir::Files, QDirIterator::Subdirectories);
+        QDirIterator walk(test::sourcePath(u"") + QLatin1String(floor), {QLatin1Char('*') + ending}, QDir::Files,
+                          QDirIterator::Subdirectories);
         while (walk.hasNext()) {
             QFile file(walk.next());
             if (file.open(QIODevice::ReadOnly))
-                texts.insert(file.fileName().mid(qstrlen(HAIRPAINT_SOURCE_DIR "/")), QString::fromUtf8(file.readAll()));
+                texts.insert(file.fileName().mid(test::sourcePath(u"").size()), QString::fromUtf8(file.readAll()));
         }
     }
     return texts;

@@ -1,4 +1,5 @@
 // The real program, told to end from outside while its window is open.
+#include "tests/support/locations.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 
@@ -41,7 +42,7 @@ private Q_SLOTS:
             for (const int one : {SIGTERM, SIGINT, SIGHUP})
                 std::signal(one, SIG_DFL); // Whatever the one who runs the tests ignores.
         });
-        program.start(QStringLiteral(HAIRPAINT_PROGRAM), QStringList());
+        program.start(test::hairpaintProgram(), QStringList());
         QByteArray said;
         const auto isOpen = [&] {
             said += program.readAllStandardError();

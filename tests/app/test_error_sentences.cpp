@@ -1,5 +1,6 @@
 // What a user is told where a file can't be read or written: every sentence names the file, says why, and how to go on.
 // The texts come from translations/, which hold every text of the sources; where they are used, from the sources.
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QDirIterator>
@@ -17,7 +18,7 @@ using Exceptions = QMap<QString, QString>;
 /// The texts of the sources by their contexts.
 QMultiMap<QString, QString> allTexts()
 {
-    QFile file(QStringLiteral(HAIRPAINT_SOURCE_DIR "/translations/hairpaint_es.ts"));
+    QFile file(test::sourcePath(u"translations/hairpaint_es.ts"));
     QMultiMap<QString, QString> texts;
     if (!file.open(QIODevice::ReadOnly))
         return texts;
@@ -40,7 +41,7 @@ QMap<QString, QString> allSources()
     static const QRegularExpression joint(QStringLiteral("(?<!\\\\)\"\\s+\""));
     QMap<QString, QString> sources;
     for (const char* folder : {"app", "model", "view"}) {
-        const QDir top(QStringLiteral(HAIRPAINT_SOURCE_DIR));
+        const QDir top(test::sourcePath(u""));
         QDirIterator files(top.filePath(QString::fromLatin1(folder)), {QStringLiteral("*.cpp")}, QDir::Files,
                            QDirIterator::Subdirectories);
         while (files.hasNext()) {

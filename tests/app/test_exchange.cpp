@@ -10,6 +10,7 @@
 #include "tests/app/thin_project.h"
 #include "tests/support/file_faults.h"
 #include "tests/support/foreign_heads.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/head_side.h"
 #include "view/panels/status_readout.h"
@@ -170,7 +171,7 @@ private Q_SLOTS:
         for (const QByteArray mode : {"abort", "silent", "hang", "endless garbage", "missing", "image of wrong size",
                                       "mesh with a wrong index", "mesh with NaN", "good"}) {
             qputenv("HAIRPAINT_IMPORT",
-                    mode == "missing" ? m_folder.path().toLocal8Bit() + "/none" : HAIRPAINT_FAKE_HELPER_PROGRAM);
+                    mode == "missing" ? m_folder.path().toLocal8Bit() + "/none" : test::fakeHelper().toLocal8Bit());
             qputenv("HAIRPAINT_FAKE_HELPER", mode);
             if (mode == "hang")
                 qputenv("HAIRPAINT_IMPORT_MS", "500"); // It is given up soon.
@@ -187,7 +188,7 @@ private Q_SLOTS:
             qunsetenv("HAIRPAINT_IMPORT_MS");
         }
         // The program goes on.
-        qputenv("HAIRPAINT_IMPORT", HAIRPAINT_IMPORT_PROGRAM);
+        qputenv("HAIRPAINT_IMPORT", test::importProgram().toLocal8Bit());
         drop(ballHead("good.glb"));
         QTRY_COMPARE_WITH_TIMEOUT(stack().count(), 1, kPatienceMs);
     }
@@ -206,7 +207,7 @@ private Q_SLOTS:
         QFETCH(QByteArray, mode);
         open(test::smallProject());
         const QByteArray before = savedBytes("silent-before.hairpaint");
-        qputenv("HAIRPAINT_IMPORT", HAIRPAINT_FAKE_HELPER_PROGRAM);
+        qputenv("HAIRPAINT_IMPORT", test::fakeHelper().toLocal8Bit());
         qputenv("HAIRPAINT_FAKE_HELPER", mode);
         m_answers->cancels = true;
         m_answers->file = action == "file.saveImage"    ? path("never.png")

@@ -3,6 +3,7 @@
 #include "app/settings/file_dialogs.h"
 #include "tests/app/window_fixture.h"
 #include "tests/model/archive_maker.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/export_hair_dialog.h"
 #include "view/dialogs/export_maps_dialog.h"
@@ -79,7 +80,7 @@ private Q_SLOTS:
     void initTestCase()
     {
         QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-        qputenv("HAIRPAINT_IMPORT", HAIRPAINT_IMPORT_PROGRAM);
+        qputenv("HAIRPAINT_IMPORT", test::importProgram().toLocal8Bit());
         prepareApplication();
     }
     void cleanup() { m_window.reset(); }

@@ -1,5 +1,6 @@
 // What `cmake --install` writes on Linux runs from there, with an empty home, and desktops know it.
 #include "app/cli/command.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QDirIterator>
@@ -33,8 +34,8 @@ private Q_SLOTS:
     {
         QVERIFY(m_folder.isValid());
         const Outcome installed =
-            run(QStringLiteral(HAIRPAINT_CMAKE), {QStringLiteral("--install"), QStringLiteral(HAIRPAINT_BUILD_DIR),
-                                                  QStringLiteral("--prefix"), prefix()});
+            run(QStringLiteral(HAIRPAINT_CMAKE),
+                {QStringLiteral("--install"), test::buildFolder(), QStringLiteral("--prefix"), prefix()});
         QVERIFY2(installed.code == 0, qPrintable(installed.output));
     }
 
@@ -79,7 +80,7 @@ private Q_SLOTS:
         while (walk.hasNext()) {
             QFile file(walk.next());
             QVERIFY(file.open(QIODevice::ReadOnly));
-            QVERIFY2(!file.readAll().contains(HAIRPAINT_SOURCE_DIR "/"), qPrintable(file.fileName()));
+            QVERIFY2(!file.readAll().contains(test::sourcePath(u"").toUtf8()), qPrintable(file.fileName()));
             ++files;
         }
         QVERIFY(files >= 10);
@@ -135,7 +136,7 @@ private Q_SLOTS:
 
     void theManualPageHasEveryOption()
     {
-        QFile file(QStringLiteral(HAIRPAINT_SOURCE_DIR "/resources/packaging/hairpaint.1.in"));
+        QFile file(test::sourcePath(u"resources/packaging/hairpaint.1.in"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         QString page = QString::fromUtf8(file.readAll());
         page.replace(QStringLiteral("\\-"), QStringLiteral("-")).replace(QStringLiteral("\\(aq"), QStringLiteral("'"));
@@ -149,10 +150,10 @@ private Q_SLOTS:
 
     void theVersionStandsInOneFile()
     {
-        QFile file(QStringLiteral(HAIRPAINT_SOURCE_DIR "/vcpkg.json"));
+        QFile file(test::sourcePath(u"vcpkg.json"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.readAll().contains("\"version-string\": \"" HAIRPAINT_PROJECT_VERSION "\""));
-        QFile changes(QStringLiteral(HAIRPAINT_SOURCE_DIR "/resources/packaging/debian/changelog"));
+        QFile changes(test::sourcePath(u"resources/packaging/debian/changelog"));
         QVERIFY(changes.open(QIODevice::ReadOnly));
         QVERIFY(changes.readLine().startsWith("hairpaint (" HAIRPAINT_PROJECT_VERSION ")"));
     }

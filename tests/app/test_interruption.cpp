@@ -1,6 +1,7 @@
 // Verbs that are told to end while they write: nothing half made is left, and whoever called them learns of it.
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"
+#include "tests/support/locations.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 
@@ -72,7 +73,7 @@ private Q_SLOTS:
             for (const int one : {SIGTERM, SIGINT, SIGHUP})
                 std::signal(one, SIG_DFL); // Whatever the one who runs the tests ignores.
         });
-        process.start(QStringLiteral(HAIRPAINT_PROGRAM),
+        process.start(test::hairpaintProgram(),
                       arguments + QStringList{QStringLiteral("--frames"), QStringLiteral("0-5000"),
                                               QStringLiteral("--settle"), QStringLiteral("0")});
         QTRY_VERIFY_WITH_TIMEOUT(filesThere() > 2, test::kPatienceMs);
@@ -92,7 +93,7 @@ private Q_SLOTS:
                                  QStringLiteral("-o"),       folder() + QStringLiteral("/f.png"),
                                  QStringLiteral("--settle"), QStringLiteral("0"),
                                  QStringLiteral("--frames")};
-        process.start(QStringLiteral(HAIRPAINT_PROGRAM), render + QStringList{QStringLiteral("0-5000")});
+        process.start(test::hairpaintProgram(), render + QStringList{QStringLiteral("0-5000")});
         QTRY_VERIFY_WITH_TIMEOUT(filesThere() > 2, test::kPatienceMs);
         process.kill();
         QVERIFY(process.waitForFinished(test::kPatienceMs));

@@ -5,6 +5,7 @@
 #include "model/files/importer_client.h"
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 #include "view/head_area/stage.h"
 
@@ -84,7 +85,7 @@ private Q_SLOTS:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(app::exrBytes(rgba, size));
         file.close();
-        const auto read = model::ImporterClient(QStringLiteral(HAIRPAINT_IMPORT_PROGRAM)).readImage(file.fileName());
+        const auto read = model::ImporterClient(test::importProgram()).readImage(file.fileName());
         QVERIFY2(read, read ? "" : qPrintable(read.error().message));
         QCOMPARE(QSize(read->width, read->height), size);
         QCOMPARE(read->channels, 4);

@@ -1,4 +1,5 @@
 // The folders' order: sim <- model <- view <- app, never upward.
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QDirIterator>
@@ -105,8 +106,8 @@ QStringList includesOf(const QString& path)
 QStringList sourcesIn(const QString& folder)
 {
     QStringList files;
-    QDirIterator walk(QStringLiteral(HAIRPAINT_SOURCE_DIR "/") + folder,
-                      {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files, QDirIterator::Subdirectories);
+    QDirIterator walk(test::sourcePath(u"") + folder, {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                      QDirIterator::Subdirectories);
     while (walk.hasNext())
         files += walk.next();
     return files;
@@ -186,7 +187,7 @@ private Q_SLOTS:
         for (const Room& room : kRooms)
             rooms[QString::fromLatin1(room.floor)] += QString::fromLatin1(room.name);
         for (auto floor = rooms.begin(); floor != rooms.end(); ++floor) {
-            const QDir folder(QStringLiteral(HAIRPAINT_SOURCE_DIR "/") + floor.key());
+            const QDir folder(test::sourcePath(u"") + floor.key());
             QStringList heap = folder.entryList({QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files);
             heap.removeAll(QStringLiteral("main.cpp"));
             QCOMPARE(heap, QStringList());
@@ -203,8 +204,8 @@ private Q_SLOTS:
                                         QRegularExpression::MultilineOption);
         QHash<QString, QString> fileOf;
         for (const char* folder : {"app", "model", "view", "sim"}) {
-            QDirIterator walk(QStringLiteral(HAIRPAINT_SOURCE_DIR "/") + QLatin1String(folder),
-                              {QStringLiteral("*.cpp")}, QDir::Files, QDirIterator::Subdirectories);
+            QDirIterator walk(test::sourcePath(u"") + QLatin1String(folder), {QStringLiteral("*.cpp")}, QDir::Files,
+                              QDirIterator::Subdirectories);
             while (walk.hasNext()) {
                 QFile file(walk.next());
                 if (file.fileName().endsWith(QLatin1String("_wgl.cpp")) ||
@@ -235,14 +236,14 @@ private Q_SLOTS:
             R"(\b((stdout|stderr|STD(OUT|ERR)_FILENO|std::(cout|cerr|clog)|QTextStream)\b|(v?f?printf|f?puts|f?putc|putchar|perror)\())"));
         QStringList found;
         for (const char* folder : {"app", "model", "view", "sim"}) {
-            QDirIterator walk(QStringLiteral(HAIRPAINT_SOURCE_DIR "/") + QLatin1String(folder),
+            QDirIterator walk(test::sourcePath(u"") + QLatin1String(folder),
                               {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
                               QDirIterator::Subdirectories);
             while (walk.hasNext()) {
                 QFile file(walk.next());
                 QVERIFY(file.open(QIODevice::ReadOnly));
                 if (printing.match(QString::fromUtf8(file.readAll())).hasMatch())
-                    found.append(file.fileName().mid(qstrlen(HAIRPAINT_SOURCE_DIR "/")));
+                    found.append(file.fileName().mid(test::sourcePath(u"").size()));
             }
         }
         found.sort();
@@ -255,7 +256,7 @@ private Q_SLOTS:
     void noFileIsOverlong()
     {
         for (const char* folder : {"app", "model", "view", "sim", "tests", "resources"}) {
-            QDirIterator walk(QStringLiteral(HAIRPAINT_SOURCE_DIR "/") + QLatin1String(folder),
+            QDirIterator walk(test::sourcePath(u"") + QLatin1String(folder),
                               {QStringLiteral("*.h"), QStringLiteral("*.cpp"), QStringLiteral("*.comp"),
                                QStringLiteral("*.vert"), QStringLiteral("*.frag"), QStringLiteral("*.glsl")},
                               QDir::Files, QDirIterator::Subdirectories);

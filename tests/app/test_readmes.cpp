@@ -1,5 +1,6 @@
 // What the floors' READMEs tell of how to add something is where it is done.
 #include "app/cli/command.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QDirIterator>
@@ -23,7 +24,7 @@ QString textOf(const QString& path)
 
 QString underSource(const QString& path)
 {
-    return QStringLiteral(HAIRPAINT_SOURCE_DIR "/") + path;
+    return test::sourcePath(u"") + path;
 }
 
 /// What stands between backticks.

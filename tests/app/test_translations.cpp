@@ -1,4 +1,5 @@
 // The files of translations/: they hold every text of the sources, whole, and say what the texts need said.
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QDir>
@@ -63,7 +64,7 @@ QList<Message> messagesOf(const QString& path)
 
 QString pathOf(const QString& language)
 {
-    return QStringLiteral(HAIRPAINT_SOURCE_DIR "/translations/hairpaint_%1.ts").arg(language);
+    return test::sourcePath(u"translations/hairpaint_%1.ts").arg(language);
 }
 
 /// Every match of a pattern, sorted: what a translation must have as often as its source.
@@ -85,8 +86,8 @@ private:
     static void eachLanguage()
     {
         QTest::addColumn<QString>("language");
-        for (const QString& file : QDir(QStringLiteral(HAIRPAINT_SOURCE_DIR "/translations"))
-                                       .entryList({QStringLiteral("hairpaint_*.ts")}, QDir::Files)) {
+        for (const QString& file :
+             QDir(test::sourcePath(u"translations")).entryList({QStringLiteral("hairpaint_*.ts")}, QDir::Files)) {
             const QString language = file.mid(10).chopped(3);
             QTest::newRow(qPrintable(language)) << language;
         }
@@ -104,7 +105,7 @@ private Q_SLOTS:
         if (language == QLatin1String("en"))
             arguments += QStringLiteral("-pluralonly");
         QProcess lupdate;
-        lupdate.setWorkingDirectory(QStringLiteral(HAIRPAINT_SOURCE_DIR));
+        lupdate.setWorkingDirectory(test::sourcePath(u""));
         lupdate.start(QStringLiteral(HAIRPAINT_LUPDATE_PROGRAM), arguments + QStringList{QStringLiteral("-ts"), copy});
         QVERIFY(lupdate.waitForFinished(120'000));
         QCOMPARE(lupdate.exitCode(), 0);
@@ -159,7 +160,7 @@ private Q_SLOTS:
         static const QRegularExpression reason(
             QStringLiteral("unexpected\\((?:std::string\\()?\"((?!The shader)[^\"]*)\""));
         int found = 0;
-        const QDir folder(QStringLiteral(HAIRPAINT_SOURCE_DIR "/view/rendering/gl"));
+        const QDir folder(test::sourcePath(u"view/rendering/gl"));
         for (const QString& name : folder.entryList({QStringLiteral("*.cpp")})) {
             QFile file(folder.filePath(name));
             QVERIFY(file.open(QIODevice::ReadOnly));

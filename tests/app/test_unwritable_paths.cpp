@@ -7,6 +7,7 @@
 #include "tests/app/thin_project.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QImage>
@@ -253,8 +254,7 @@ private Q_SLOTS:
             process.start(QStringLiteral("unshare"),
                           {QStringLiteral("--mount"), QStringLiteral("--map-root-user"), QStringLiteral("sh"),
                            QStringLiteral("-c"), QStringLiteral("mount -t tmpfs -o size=64k none \"$1\" && ") + command,
-                           QStringLiteral("sh"), path(QStringLiteral("disk")), QStringLiteral(HAIRPAINT_PROGRAM),
-                           m_good});
+                           QStringLiteral("sh"), path(QStringLiteral("disk")), test::hairpaintProgram(), m_good});
             process.waitForFinished(-1);
             return Outcome{.code = process.exitCode(),
                            .output = QString::fromUtf8(process.readAllStandardOutput()),

@@ -11,6 +11,7 @@
 #include "bust_measures.h"
 #include "glb_reader.h"
 #include "model/heads/built_in_heads.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 using namespace hairpaint;
@@ -23,7 +24,7 @@ constexpr const char* kFine = "bust-1-fine.glb";
 
 QByteArray contents(const QString& name)
 {
-    QFile file(u"" HAIRPAINT_SOURCE_DIR "/resources/heads/"_s + name);
+    QFile file(test::sourcePath(u"resources/heads/") + name);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 

@@ -8,6 +8,7 @@
 #include "bust_measures.h"
 #include "glb_reader.h"
 #include "model/heads/built_in_heads.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 using namespace hairpaint;
@@ -97,7 +98,7 @@ void TestBustLandmarks::initTestCase_data()
 void TestBustLandmarks::initTestCase()
 {
     for (const QString& name : {u"bust-1"_s, u"bust-2"_s}) {
-        QFile file(u"" HAIRPAINT_SOURCE_DIR "/resources/heads/"_s + name + u".glb"_s);
+        QFile file(test::sourcePath(u"resources/heads/") + name + u".glb"_s);
         QVERIFY(file.open(QIODevice::ReadOnly));
         m_meshes[name] = tests::readGlb(file.readAll());
         QCOMPARE(m_meshes[name].error, QString());

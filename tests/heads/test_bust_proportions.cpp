@@ -10,6 +10,7 @@
 
 #include "glb_reader.h"
 #include "model/heads/built_in_heads.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 using namespace hairpaint;
@@ -220,7 +221,7 @@ private:
 private Q_SLOTS:
     void initTestCase()
     {
-        QFile file(u"" HAIRPAINT_SOURCE_DIR "/resources/heads/bust-2.glb"_s);
+        QFile file(test::sourcePath(u"resources/heads/bust-2.glb"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         m_mesh = tests::readGlb(file.readAll());
         QCOMPARE(m_mesh.error, QString());

@@ -6,6 +6,7 @@
 #include "tests/importer/gltf_samples.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
@@ -82,7 +83,7 @@ class TestImportGltf : public QObject
     Q_OBJECT
 private:
     QTemporaryDir m_folder;
-    ImporterClient m_client{QStringLiteral(HAIRPAINT_IMPORT_PROGRAM), 60'000};
+    ImporterClient m_client{test::importProgram(), 60'000};
 
 private Q_SLOTS:
     void numbersOfEveryTypeAreRead_data()

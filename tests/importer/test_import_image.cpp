@@ -6,6 +6,7 @@
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/full_disk.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QBuffer>
@@ -25,7 +26,7 @@ class TestImportImage : public QObject
     Q_OBJECT
 private:
     QTemporaryDir m_folder;
-    ImporterClient m_client{QStringLiteral(HAIRPAINT_IMPORT_PROGRAM), 60'000};
+    ImporterClient m_client{test::importProgram(), 60'000};
 
     [[nodiscard]] QString path(const QString& name) const { return m_folder.filePath(name); }
 

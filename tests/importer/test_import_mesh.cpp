@@ -5,6 +5,7 @@
 #include "model/files/importer_client.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
@@ -75,7 +76,7 @@ class TestImportMesh : public QObject
     Q_OBJECT
 private:
     QTemporaryDir m_folder;
-    ImporterClient m_client{QStringLiteral(HAIRPAINT_IMPORT_PROGRAM), 60'000};
+    ImporterClient m_client{test::importProgram(), 60'000};
 
     [[nodiscard]] QString written(const QString& name, const QByteArray& bytes) const
     {

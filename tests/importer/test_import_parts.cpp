@@ -5,6 +5,7 @@
 #include "model/heads/layout_packing.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/character.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QImage>
@@ -56,7 +57,7 @@ class TestImportParts : public QObject
     Q_OBJECT
 private:
     QTemporaryDir m_folder;
-    ImporterClient m_client{QStringLiteral(HAIRPAINT_IMPORT_PROGRAM), 60'000};
+    ImporterClient m_client{test::importProgram(), 60'000};
 
     [[nodiscard]] Result<RiggedMesh> read(const QString& name, const QByteArray& bytes)
     {

@@ -4,6 +4,7 @@
 #include "model/heads/humanoid_bones.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/glb_json.h"
+#include "tests/support/locations.h"
 #include "tests/support/mannequin.h"
 #include "tests/support/test_program.h"
 
@@ -61,7 +62,7 @@ class TestImportSkeleton : public QObject
     Q_OBJECT
 private:
     QTemporaryDir m_folder;
-    ImporterClient m_client{QStringLiteral(HAIRPAINT_IMPORT_PROGRAM), 60'000};
+    ImporterClient m_client{test::importProgram(), 60'000};
 
     [[nodiscard]] Result<RiggedMesh> read(const QByteArray& glb, const char* name = "body.glb")
     {

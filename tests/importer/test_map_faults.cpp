@@ -4,6 +4,7 @@
 #include "tests/model/each_fault.h"
 #include "tests/support/allocation_limit.h"
 #include "tests/support/file_faults.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -50,7 +51,7 @@ private Q_SLOTS:
     /// The real helper takes a tenth of a second to start, hundreds of times; here it is only asked for bytes.
     void initTestCase()
     {
-        qputenv("HAIRPAINT_IMPORT", HAIRPAINT_FAKE_HELPER_PROGRAM);
+        qputenv("HAIRPAINT_IMPORT", test::fakeHelper().toLocal8Bit());
         qputenv("HAIRPAINT_FAKE_HELPER", "unencoded");
     }
 

@@ -2,6 +2,7 @@
 #include "model/files/importer_client.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
@@ -19,7 +20,7 @@ private:
 
     static constexpr int kLongMs = 60'000;
     static constexpr int kShortMs = 200; ///< For helpers that go on for ever.
-    static QString helper() { return QStringLiteral(HAIRPAINT_FAKE_HELPER_PROGRAM); }
+    static QString helper() { return test::fakeHelper(); }
 
 private Q_SLOTS:
     void initTestCase()

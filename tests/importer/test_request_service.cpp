@@ -6,6 +6,7 @@
 #include "model/files/wire_format.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QDir>
@@ -145,7 +146,7 @@ private Q_SLOTS:
     {
         const QString script = path(QStringLiteral("counted"));
         test::writeBytes(script, "#!/bin/sh\necho $$ >>" + path(QStringLiteral("starts")).toLocal8Bit() + "\nexec " +
-                                     HAIRPAINT_IMPORT_PROGRAM + "\n");
+                                     test::importProgram().toLocal8Bit() + "\n");
         QVERIFY(QFile::setPermissions(script, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
         qputenv("HAIRPAINT_IMPORT", script.toLocal8Bit());
         QFile::remove(path(QStringLiteral("starts")));

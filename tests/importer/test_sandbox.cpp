@@ -3,6 +3,7 @@
 
 #include "model/files/importer_client.h"
 #include "tests/importer/sandbox_users.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QFile>
@@ -251,7 +252,7 @@ private Q_SLOTS:
         constexpr int kInherited = 9;
         QProcess helper; // Waits for its request.
         helper.setChildProcessModifier([&pipe] { ::dup2(pipe[1], kInherited); });
-        helper.start(QStringLiteral(HAIRPAINT_IMPORT_PROGRAM), QStringList());
+        helper.start(test::importProgram(), QStringList());
         QVERIFY(helper.waitForStarted(-1));
         ::close(pipe[1]);
         char byte = 0;
@@ -264,8 +265,7 @@ private Q_SLOTS:
 
     void theHelperTellsWhatHoldsIt()
     {
-        const std::optional<model::HelperSandbox> sandbox =
-            model::ImporterClient(QStringLiteral(HAIRPAINT_IMPORT_PROGRAM)).sandbox();
+        const std::optional<model::HelperSandbox> sandbox = model::ImporterClient(test::importProgram()).sandbox();
         QVERIFY(sandbox);
         QCOMPARE(sandbox->landlockVersion > 0, hasLandlock());
         QCOMPARE(sandbox->filtersCalls, filtersCalls());

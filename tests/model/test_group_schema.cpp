@@ -6,6 +6,7 @@
 #include "sim/groom/roots.h"
 #include "sim/solver/collider_set.h"
 #include "sim/solver/strand_constants.h"
+#include "tests/support/locations.h"
 #include "tests/support/painted_ball.h"
 #include "tests/support/test_program.h"
 
@@ -185,7 +186,7 @@ private Q_SLOTS:
 
     void theFormatsDocumentationSaysTheSame()
     {
-        QFile file(QStringLiteral(HAIRPAINT_SOURCE_DIR "/model/files/hairpaint_format.md"));
+        QFile file(test::sourcePath(u"model/files/hairpaint_format.md"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QString text = QString::fromUtf8(file.readAll());
         for (const GroupSetting& row : model::groupSchema()) {

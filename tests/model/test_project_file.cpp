@@ -11,6 +11,7 @@
 #include "sim/skin/skin_frame.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
@@ -251,7 +252,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("file");
         QTest::addColumn<std::vector<MapKind>>("maps");
         using enum sim::MapSlot;
-        QTest::newRow("version 1") << QStringLiteral(HAIRPAINT_TEST_DATA "/format/v1.hairpaint")
+        QTest::newRow("version 1") << test::dataPath(u"format/v1.hairpaint")
                                    << std::vector{Density, Length, Curl, Braid, Colour, Clump, Gel};
     }
     void theSampleOfEveryReleasedVersionOpens()
@@ -305,7 +306,7 @@ private Q_SLOTS:
     {
         QFETCH(int, version);
         QFETCH(std::size_t, balls);
-        const QString file = QStringLiteral(HAIRPAINT_TEST_DATA "/format/v%1.hairpaint").arg(version);
+        const QString file = test::dataPath(u"format/v%1.hairpaint").arg(version);
         const Result<Project> project = loadProject(file);
         QVERIFY2(project, project ? "" : qPrintable(project.error().message));
         QCOMPARE(project->seed, std::uint64_t{77});

@@ -2,6 +2,7 @@
 // HAIRPAINT_WRITE_GOLDEN=1 writes them anew.
 #include "tests/rendering/golden_scenes.h"
 #include "tests/rendering/renderer_fixture.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QDir>
@@ -46,7 +47,7 @@ private Q_SLOTS:
     {
         QFETCH(MakeScene, make);
         const QString name = QString::fromLatin1(QTest::currentDataTag()) + QStringLiteral(".png");
-        const QString path = QStringLiteral(HAIRPAINT_TEST_DATA "/golden/") + name;
+        const QString path = test::dataPath(u"golden/") + name;
         const QImage now = imageOf(draw(make(), {.samples = 4}, kWidth, kHeight));
         if (qEnvironmentVariableIsSet("HAIRPAINT_WRITE_GOLDEN"))
             QVERIFY(now.save(path));

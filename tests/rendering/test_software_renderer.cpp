@@ -3,6 +3,7 @@
 #include "sim/base/parallel.h"
 #include "tests/rendering/golden_scenes.h"
 #include "tests/rendering/renderer_fixture.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 #include "view/rendering/frame_constants.h"
 #include "view/rendering/software/software_renderer.h"
@@ -85,7 +86,7 @@ private Q_SLOTS:
     {
         QFETCH(MakeScene, make);
         const QString name = QString::fromLatin1(QTest::currentDataTag()) + QStringLiteral(".png");
-        const QString path = QStringLiteral(HAIRPAINT_TEST_DATA "/golden/software/") + name;
+        const QString path = test::dataPath(u"golden/software/") + name;
         const Picture drawn = softly(make());
         const QImage now = QImage(drawn.pixels.data(), drawn.width, drawn.height, QImage::Format_RGBX8888)
                                .convertToFormat(QImage::Format_RGB32);
