@@ -3,6 +3,7 @@
 
 #include "app/importer/image_channels.h"
 #include "app/importer/image_light.h"
+#include "app/importer/png_chunks.h"
 #include "app/importer/stored_tags.h"
 #include "app/importer/webp_input.h"
 #include "model/values/srgb.h"
@@ -274,6 +275,8 @@ tl::expected<wire::Bytes, wire::Reason> encodeImage(const wire::EncodeRequest& r
                                : output->write_image(OIIO::TypeDesc::UINT16, image.samples.data());
     if (!isWritten || !output->close() || bytes.empty())
         return tl::unexpected(wire::Reason::CannotWriteEnding);
+    if (request.ending == "png")
+        dropExif(bytes);
     return wire::encodeFile(std::as_bytes(std::span(bytes)));
 }
 

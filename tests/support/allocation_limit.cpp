@@ -32,6 +32,7 @@ bool isFault(std::size_t bytes)
     return bytes >= leastCounted.load(std::memory_order_relaxed) && untilFault.fetch_sub(1) == 1;
 }
 
+#ifndef _WIN32
 void* plainMalloc(std::size_t bytes)
 {
 #ifdef HAIRPAINT_OWN_MALLOC
@@ -40,6 +41,7 @@ void* plainMalloc(std::size_t bytes)
     return std::malloc(bytes);
 #endif
 }
+#endif
 
 void* allocate(std::size_t bytes, std::size_t alignment)
 {

@@ -270,6 +270,7 @@ windows() {
     run_suite windows/program
     left_out build/release/tests.log build/windows/program/tests.log
     counted tests/packaging/windows_bytes "$work/package/hairpaint"
+    counted tests/packaging/windows_installed build/packages/*-setup.exe
 }
 
 # left_out LOG OTHER: entries of which the other run has fewer functions, or none.

@@ -45,10 +45,10 @@ QList<MapLegend::Tick> ticksOf(const sim::GroupSettings& settings, const model::
             if (shown <= unit.minimum || shown >= unit.maximum)
                 continue;
             const MapLegend::Tick tick = tickAt(shown);
-            const auto near = [&tick](const MapLegend::Tick& other) {
+            const auto isNear = [&tick](const MapLegend::Tick& other) {
                 return std::abs(other.fraction - tick.fraction) < kLeastTickGap;
             };
-            if (std::ranges::none_of(ticks, near))
+            if (std::ranges::none_of(ticks, isNear))
                 ticks.append(tick);
         }
     }

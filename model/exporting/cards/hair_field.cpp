@@ -21,6 +21,12 @@ constexpr float kSolidPerM = 1e4F;
 constexpr float kShading = 0.15F;
 constexpr float kFillingM = 0.01F; ///< Depth at which so dense hair hides what is behind.
 
+/// Rounded from a double, where the libraries of all systems agree.
+float exponential(float x)
+{
+    return static_cast<float>(std::exp(static_cast<double>(x)));
+}
+
 } // namespace
 
 HairField::HairField(const CurveSet& set, const SampledHair& hair)
@@ -55,7 +61,8 @@ void HairField::deposit(const SampledHair& hair)
             m_areaPerM[indexOf(glm::ivec3((sample - m_originWo) / m_cellM + 0.5F))] += area;
     }
     m_filled.resize(m_areaPerM.size());
-    std::ranges::transform(m_areaPerM, m_filled.begin(), [](float area) { return 1.0F - std::exp(-area * kFillingM); });
+    std::ranges::transform(m_areaPerM, m_filled.begin(),
+                           [](float area) { return 1.0F - exponential(-area * kFillingM); });
 }
 
 void HairField::fillHead(const CurveSet& set)
@@ -91,7 +98,7 @@ void HairField::measureOpenness()
     std::vector<float> half(m_areaPerM.size());
     sim::parallelFor(half.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            half[i] = std::exp(-0.5F * kShading * m_areaPerM[i] * m_cellM);
+            half[i] = exponential(-0.5F * kShading * m_areaPerM[i] * m_cellM);
     });
     m_openness.assign(m_areaPerM.size(), 0.0F);
     for (int axis = 0; axis < 3; ++axis) {

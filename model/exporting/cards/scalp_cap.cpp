@@ -78,7 +78,9 @@ glm::vec2 ScalpCap::flat(const glm::vec3& positionWo) const
     const glm::vec3 away = positionWo - middleWo;
     const glm::vec2 around(glm::dot(away, right), -glm::dot(away, up));
     const float aside = glm::length(around);
-    const float angle = std::atan2(aside, glm::dot(away, axisWo));
+    // Rounded from a double, where the libraries of all systems agree.
+    const auto angle =
+        static_cast<float>(std::atan2(static_cast<double>(aside), static_cast<double>(glm::dot(away, axisWo))));
     return aside > 0.0F ? around / aside * (angle * radiusM) : glm::vec2(0.0F);
 }
 
