@@ -4070,6 +4070,14 @@
         <source>No hair is left to gather here: paint density, or take another tie off</source>
         <translation>No queda pelo que recoger aquí: pinta densidad o quita otro coletero</translation>
     </message>
+    <message>
+        <source>Gather hair into twin tails</source>
+        <translation>Recoger el pelo en dos coletas</translation>
+    </message>
+    <message>
+        <source>No hair grows on both sides here that two tails could take: paint density on both</source>
+        <translation>Aquí no crece pelo a ambos lados para dos coletas: pinte densidad en ambos</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::AreaMenu</name>
@@ -4521,6 +4529,14 @@
     <message>
         <source>E&amp;xport my styles…</source>
         <translation>E&amp;xportar mis peinados…</translation>
+    </message>
+    <message>
+        <source>T&amp;win tails here</source>
+        <translation>Do&amp;s coletas aquí</translation>
+    </message>
+    <message>
+        <source>Gathers the active group&apos;s hair into two tails, where the pointer was last on the head and on the other side, with a parting between them</source>
+        <translation>Recoge el pelo del grupo activo en dos coletas, donde el puntero estuvo por última vez en la cabeza y en el otro lado, con una raya entre ellas</translation>
     </message>
 </context>
 <context>

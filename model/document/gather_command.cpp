@@ -1,15 +1,22 @@
-// Hair gathered by one click: a patch painted where hair stands, and the tie put where it was clicked.
+// Hair gathered by one click: a patch painted where hair stands, and the tie put where it was clicked; or two, with a
+// parting between them.
+#include "model/document/gather_command.h"
+
 #include "model/document/edit_command.h"
 #include "model/document/paint_command.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hairpaint::model {
 
 namespace {
 
-constexpr std::size_t kIndexChannels = 2; ///< Of a layer: index and coverage.
+constexpr std::size_t kIndexChannels = 2; ///< Of a layer: index, or value, and coverage.
+constexpr float kPartingM = 0.0012F;      ///< From its middle to either side.
+constexpr int kMostSkipped = 8;           ///< Texels that are not looked at.
+constexpr float kSidewaysM = 0.01F;       ///< A click nearer to the middle of the head is on neither side.
 
 std::uint16_t paletteIndexOf(const WornSpec& spec)
 {
@@ -93,6 +100,67 @@ private:
     const std::vector<QRectF>& m_selected;
 };
 
+/// Texels of a layer along the middle of the head, without paint of the accessory map or without hair.
+LayerTiles parted(const sim::TiledRaster& layer, const sim::Skin& skin, const sim::TiledRaster& density)
+{
+    LayerTiles tiles;
+    sim::TiledRaster painted = layer;
+    const float size = static_cast<float>(painted.size());
+    for (int index = 0; index < painted.tileCount(); ++index) {
+        const sim::TexelRect rect = painted.tileRect(index);
+        std::span<std::uint16_t> pixels;
+        std::size_t texel = 0;
+        for (int y = rect.y0; y < rect.y1; ++y)
+            for (int x = rect.x0; x < rect.x1; ++x, ++texel) {
+                const glm::vec2 uv((static_cast<float>(x) + 0.5F) / size, 1.0F - (static_cast<float>(y) + 0.5F) / size);
+                if (!(density.sampleScalar(uv) > 0.0F))
+                    continue;
+                const std::optional<sim::SurfacePoint> point = skin.atUv(uv);
+                if (!point)
+                    continue;
+                // A line of texels, if no more, keeps two patches apart.
+                const float texelM = std::max(glm::length(point->dPduHd), glm::length(point->dPdvHd)) / size;
+                const float awayM = std::abs(point->positionHd.x) - std::max(kPartingM, 0.75F * texelM);
+                if (awayM > 0.0F) {
+                    // So far from the middle, the next few are no nearer.
+                    const int skipped =
+                        std::min({static_cast<int>(0.5F * awayM / texelM), kMostSkipped, rect.x1 - 1 - x});
+                    x += skipped;
+                    texel += static_cast<std::size_t>(skipped);
+                    continue;
+                }
+                if (pixels.empty())
+                    pixels = painted.writableTile(index);
+                pixels[kIndexChannels * texel] = 0;
+                pixels[kIndexChannels * texel + 1] = 65535;
+            }
+        if (pixels.empty())
+            continue;
+        painted.compact(index);
+        tiles.emplace_back(index, painted.tile(index));
+    }
+    return tiles;
+}
+
+/// Where a tail stands on the left, and on the right: what was clicked and its mirror image, or beside the head where
+/// that is in the middle.
+std::optional<std::array<sim::SurfacePoint, 2>> onBothSides(const sim::Skin& skin, sim::SurfacePoint point)
+{
+    if (std::abs(point.positionHd.x) < kSidewaysM) {
+        constexpr float kBesideM = 0.5F;
+        constexpr float kFrontM = -0.01F; // Behind the ears.
+        const glm::vec3 fromHd(kBesideM, point.positionHd.y, std::min(point.positionHd.z, kFrontM) * 0.5F);
+        const auto beside = skin.pick({.originHd = fromHd, .directionHd = {-1.0F, 0.0F, 0.0F}});
+        if (!beside)
+            return std::nullopt;
+        point = *beside;
+    }
+    const std::optional<sim::SurfacePoint> other = skin.mirrored(point, 0.02F);
+    if (!other)
+        return std::nullopt;
+    return std::array{point, *other};
+}
+
 } // namespace
 
 CommandPtr gatherCommand(Document& document, Id groupId, const WornSpec& spec, const sim::SurfacePoint& point,
@@ -144,6 +212,62 @@ CommandPtr gatherCommand(Document& document, Id groupId, const WornSpec& spec, c
                          to.nextId = nextId;
                      }});
     return shownEditCommand(document, parts, std::move(layers), text);
+}
+
+CommandPtr gatherTwinsCommand(Document& document, Id groupId, const WornSpec& spec, const sim::SurfacePoint& point,
+                              const std::vector<QRectF>& selected)
+{
+    document.endEdit();
+    const Project& project = document.committed();
+    const HairGroup* group = project.group(groupId);
+    if (group == nullptr || project.head == nullptr || spec.patchStep == nullptr)
+        return nullptr;
+    const Layer* patches = paintedLayer(group->map(MapKind::Accessory));
+    const Layer* density = paintedLayer(group->map(MapKind::Density));
+    const auto points = onBothSides(*project.head->skin, point);
+    if (patches == nullptr || density == nullptr || !points)
+        return nullptr;
+    // Hair that nothing gathers yet is painted, and all is parted along the middle.
+    sim::TiledRaster painted = patches->raster;
+    for (auto& [index, tile] : Gathering(document, *group, paletteIndexOf(spec), selected).over(painted))
+        painted.setTile(index, std::move(tile));
+    const sim::MapRaster hair = document.resolvedNow(groupId, MapKind::Density);
+    for (auto& [index, tile] : parted(painted, *project.head->skin, *hair))
+        painted.setTile(index, std::move(tile));
+    std::vector<LayerEdit> layers;
+    LayerTiles tiles;
+    for (int index = 0; index < painted.tileCount(); ++index)
+        if (painted.tile(index) != patches->raster.tile(index))
+            tiles.emplace_back(index, painted.tile(index));
+    layers.push_back({.address = {groupId, MapKind::Accessory, patches->id}, .after = std::move(tiles)});
+    layers.push_back({.address = {groupId, MapKind::Density, density->id},
+                      .after = parted(density->raster, *project.head->skin, *hair)});
+    Project after = project;
+    layIn(after, layers);
+    ProjectPatches found = document.patches();
+    found.follow(after, &document.patches());
+    const ProjectPatches::Group* patched = found.group(groupId);
+    std::array<Worn*, 2> ties{};
+    for (std::size_t side = 0; side < ties.size(); ++side) {
+        const std::optional<std::size_t> patch =
+            patched != nullptr ? patched->labels.at((*points).at(side).uv) : std::nullopt;
+        ties.at(side) = patch ? after.wornThing(patched->things[*patch]) : nullptr;
+        if (ties.at(side) == nullptr || ties.at(side)->kind != spec.kind || (side == 1 && ties[0] == ties[1]))
+            return nullptr;
+    }
+    for (std::size_t side = 0; side < ties.size(); ++side) {
+        standOn(*ties.at(side), (*points).at(side));
+        ties.at(side)->patch->placedByHand = true;
+    }
+    Change change;
+    change.aspect = Change::Aspect::Environment;
+    std::vector<ShownPart> parts;
+    parts.push_back({change, [all = std::move(after.worn), nextId = after.nextId](Project& to) {
+                         to.worn = all;
+                         to.nextId = nextId;
+                     }});
+    return shownEditCommand(document, parts, std::move(layers),
+                            wornText(QT_TRANSLATE_NOOP("Worn", "Gather hair into twin tails")));
 }
 
 } // namespace hairpaint::model

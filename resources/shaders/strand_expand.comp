@@ -163,7 +163,7 @@ void main()
         if (isBraided && gathered > 0.0) {
             vec3 first = u < float(sharedNode) ? across(rootTangent, tangent) : reference;
             float metres = braidLength(length(derivative), float(nodes - 1), braidStart);
-            vec3 offset = braidedOffsetAt(slot, braidFraction(s, braidStart), metres) * min(gathered, 1.0);
+            vec3 offset = braidedOffsetAt(slot, braidFraction(s, braidStart), metres) * gatheredPart(gathered);
             point += first * offset.x + tangent * offset.y + cross(first, tangent) * offset.z;
         } else if (isCurled) {
             float curled = curledFraction(s, braidStart);

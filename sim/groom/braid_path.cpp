@@ -59,6 +59,24 @@ float pitchOf(BraidKind kind)
     return kind == BraidKind::PlaitOfFour ? kFourPitch : kind == BraidKind::PlaitOfFive ? kFivePitch : 1.0F;
 }
 
+/// How far hairs spread, in their wisp's radius, by which it touches those that it crosses: between three that meet, and
+/// in flat braids between those that run side by side, one would see through.
+float spreadOf(BraidKind kind)
+{
+    switch (kind) {
+    case BraidKind::Plait:
+        return 1.12F;
+    case BraidKind::PlaitOfFour:
+        return 1.2F;
+    case BraidKind::PlaitOfFive:
+        return 1.35F;
+    case BraidKind::Fishtail:
+        return 1.45F;
+    default:
+        return 1.0F;
+    }
+}
+
 std::uint16_t in255ths(float fraction)
 {
     // Not negative, so that the cast rounds down. NOLINTNEXTLINE(bugprone-incorrect-roundings)
@@ -81,7 +99,7 @@ float girthFraction(BraidKind kind)
 glm::vec2 inItsStrand(glm::vec2 offset)
 {
     constexpr int kStrands = 11;
-    constexpr float kDrawn = 0.5F;
+    constexpr float kDrawn = 0.25F; // More would leave gaps between them.
     constexpr float kGoldenAngle = 2.3999632F;
     glm::vec2 nearest(0.0F);
     float least = 9.0F;
@@ -173,7 +191,9 @@ float braidGirthM(BraidKind kind, float radiusM)
 
 float braidBeginsAboveM(BraidKind kind, float radiusM)
 {
-    return kBraidFirstFraction * braidGirthM(kind, radiusM);
+    // That of a loc is as thick from its first hair on.
+    const float bundleM = 0.5F * kWispFirstFraction * lacingOf(kind).wisp * radiusM;
+    return std::max(kBraidFirstFraction * braidGirthM(kind, radiusM), bundleM);
 }
 
 void placeInWisp(const GroupSettings& settings, const WispChance& chance, StrandStyle& style)
@@ -181,7 +201,7 @@ void placeInWisp(const GroupSettings& settings, const WispChance& chance, Strand
     // Tight hair fills its wisp less, loose hair more.
     constexpr float kTightens = 0.3F;
     const float filled = 1.0F + kTightens * (0.5F - settings.braidTightness);
-    style.wispOffset = inItsStrand(chance.wispOffset) * (filled * astray(settings, style));
+    style.wispOffset = inItsStrand(chance.wispOffset) * (filled * spreadOf(style.braid) * astray(settings, style));
 }
 
 void applyBraid(const GroupSettings& settings, BraidKind kind, const WispChance& chance, const BraidMeasures& measures,

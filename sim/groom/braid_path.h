@@ -9,6 +9,9 @@
 
 namespace hairpaint::sim {
 
+/// Of styles alone, beside those that are painted: the rope of a bun, wound about its tie.
+inline constexpr BraidKind kCoilKind{8};
+
 /// The node that stands on the centre's root: the first quarter of the skeleton gathers, the rest is the braid. The
 /// same for all hairs, so that those of a braid share its nodes.
 [[nodiscard]] int gatheringNode(int nodes);

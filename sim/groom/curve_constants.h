@@ -29,6 +29,8 @@ inline constexpr float kSwitchFactor = 2.39F;
 /// they come to it over the span before, since so many hairs never pass through one point.
 inline constexpr float kBraidEaseTurns = 0.5F;
 inline constexpr float kBraidFirstFraction = 0.25F;
+/// The same of a wisp's radius: there they are one bundle, as thick as its hairs are, and no gap is between them.
+inline constexpr float kWispFirstFraction = 0.7F;
 /// A plait of three: a wisp's radius in units of r. The middles of its wisps come as near as 1.13 r to each other and
 /// the nearest of them is never further than 1.26 r, so wisps touch everywhere and none is in another.
 inline constexpr float kWispRadiusFraction = 0.62F;
@@ -48,6 +50,21 @@ inline constexpr float kFishtailWisps = 9.0F;
 inline constexpr float kFishtailWide = 1.0F;
 inline constexpr float kFishtailThick = 0.9F;
 inline constexpr float kFishtailWisp = 0.215F;
+/// A coil, which a bun is: a rope wound about a dome. Length of the meridian of the dome on which the rope's middle lies,
+/// in units of the path's radius at its foot; how far apart turns lie over that, in the rope's radii.
+inline constexpr float kCoilMeridian = 1.45F;
+inline constexpr float kCoilApart = 1.6F;
+/// The dome's height in the same units.
+inline constexpr float kCoilHeight = 0.95F;
+/// Turns from the axis out to the foot, and the part of its radius that the rope has on the axis.
+inline constexpr float kCoilEaseTurns = 0.4F;
+inline constexpr float kCoilFirstWisp = 0.6F;
+/// Fraction over which it ends in the axis, the part of its radius there, and how far it is tucked in, in its radii.
+inline constexpr float kCoilEndFraction = 0.25F;
+inline constexpr float kCoilTipWisp = 0.9F;
+inline constexpr float kCoilTucked = 0.4F;
+/// How far its hairs turn about its middle in a turn of it, in turns.
+inline constexpr float kCoilTwist = 0.9F;
 /// How far the hairs of a wisp turn about its middle in a turn of the braid, in turns.
 inline constexpr float kWispTwist = 0.3F;
 /// A wisp's greatest radius along the braid, in turns of it, so that three, or two, of them fill a turn.

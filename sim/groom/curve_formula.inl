@@ -161,9 +161,9 @@ CURVE_FUNCTION Vec3 coilOffset(CoiledHair hair, CoilTraits traits, Num s)
     return vec3Of(cosOf(angle) * radiusM, sinOf(angle) * radiusM * (1.0F - traits.flatness), Num(0.0F));
 }
 
-// How the wisps of a kind of braid (sim::BraidKind) run: each swings once across its width and `swings` times through its
-// thickness in a turn, so that of two that cross one is always above; pathX and pathZ are how far, wisp a wisp's radius,
-// in units of r.
+// How the wisps of a kind of braid (sim::BraidKind) run: each swings once across its width and `swings` times through
+// its thickness in a turn, so that of two that cross one is always above; pathX and pathZ are how far, wisp a wisp's
+// radius, in units of r.
 struct Lacing
 {
     Num wisps, swings;
@@ -172,33 +172,36 @@ struct Lacing
     Num roomTurns; // A wisp's greatest radius along the braid.
 };
 
-CURVE_FUNCTION Num ofKind(Num kind, Num plait, Num twist, Num loc, Num four, Num five, Num fishtail)
+CURVE_FUNCTION Num ofKind(Num kind, Num plait, Num twist, Num loc, Num four, Num five, Num fishtail, Num coil)
 {
-    return select(kind < 1.5F, plait,
-                  select(kind < 2.5F, twist,
-                         select(kind < 3.5F, loc, select(kind < 4.5F, four, select(kind < 5.5F, five, fishtail)))));
+    return select(
+        kind < 1.5F, plait,
+        select(kind < 2.5F, twist,
+               select(kind < 3.5F, loc,
+                      select(kind < 4.5F, four, select(kind < 5.5F, five, select(kind < 6.5F, fishtail, coil))))));
 }
 
 CURVE_FUNCTION Lacing lacingOf(Num kind)
 {
     Lacing lacing;
-    lacing.wisps = ofKind(kind, Num(3.0F), Num(2.0F), Num(1.0F), Num(4.0F), Num(5.0F), Num(kFishtailWisps));
-    lacing.swings = ofKind(kind, Num(2.0F), Num(1.0F), Num(2.0F), Num(3.0F), Num(4.0F), Num(2.0F));
-    lacing.pathX =
-        ofKind(kind, Num(1.0F), Num(kTwistFraction), Num(0.0F), Num(kFourWide), Num(kFiveWide), Num(kFishtailWide));
-    lacing.pathZ =
-        ofKind(kind, Num(1.0F), Num(kTwistFraction), Num(0.0F), Num(kFourThick), Num(kFiveThick), Num(kFishtailThick));
+    lacing.wisps = ofKind(kind, Num(3.0F), Num(2.0F), Num(1.0F), Num(4.0F), Num(5.0F), Num(kFishtailWisps), Num(1.0F));
+    lacing.swings = ofKind(kind, Num(2.0F), Num(1.0F), Num(2.0F), Num(3.0F), Num(4.0F), Num(2.0F), Num(1.0F));
+    lacing.pathX = ofKind(kind, Num(1.0F), Num(kTwistFraction), Num(0.0F), Num(kFourWide), Num(kFiveWide),
+                          Num(kFishtailWide), Num(1.0F));
+    lacing.pathZ = ofKind(kind, Num(1.0F), Num(kTwistFraction), Num(0.0F), Num(kFourThick), Num(kFiveThick),
+                          Num(kFishtailThick), Num(1.0F));
+    // That of a coil follows from its turns: see coilGirth().
     lacing.wisp = ofKind(kind, Num(kWispRadiusFraction), Num(kTwistWispFraction), Num(kLocWispFraction), Num(kFourWisp),
-                         Num(kFiveWisp), Num(kFishtailWisp));
+                         Num(kFiveWisp), Num(kFishtailWisp), Num(0.0F));
     lacing.roomTurns = ofKind(kind, Num(kPlaitRoomTurns), Num(kTwistRoomTurns), Num(kPlaitRoomTurns),
-                              Num(kPlaitRoomTurns), Num(kPlaitRoomTurns), Num(kPlaitRoomTurns));
+                              Num(kPlaitRoomTurns), Num(kPlaitRoomTurns), Num(kPlaitRoomTurns), Num(kPlaitRoomTurns));
     return lacing;
 }
 
 // A hair of a braid.
 struct BraidedHair
 {
-    Num radiusM; // r
+    Num radiusM;      // r
     Num turns;        // From where the hair joins it to its end,
     Num begun;        // and before that.
     Num wispX, wispY; // The hair's position in its wisp, in units of the wisp's radius.
@@ -229,7 +232,7 @@ CURVE_FUNCTION Num braidLength(Num perNodeM, Num spans, Num start)
 // How thick a braid is at a fraction q of it.
 struct BraidGirth
 {
-    Num tuft;  // 0..1 over the tuft.
+    Num tuft;  // 0..1 over the tuft, or a coil's end.
     Num pathM; // Radius of the wisps' path,
     Num wispM; // and of a wisp.
 };
@@ -238,6 +241,7 @@ CURVE_FUNCTION BraidGirth braidGirth(BraidedHair hair, Lacing lacing, Num q)
 {
     Num parted = least(q * hair.turns * (1.0F / kBraidEaseTurns), Num(1.0F));
     Num r = hair.radiusM * mixed(Num(kBraidFirstFraction), Num(1.0F), parted) * (1.0F - hair.taper * q);
+    Num wispR = hair.radiusM * mixed(Num(kWispFirstFraction), Num(1.0F), parted) * (1.0F - hair.taper * q);
     Num tie = clamped(over(q - (1.0F - kTuftFraction - kTieFraction), kTieFraction), 0.0F, 1.0F);
     Flag isOne = lacing.wisps < 1.5F;
     Num tied = select(isOne, Num(0.0F), tie * tie * (3.0F - tie * 2.0F) * hair.tied);
@@ -251,8 +255,34 @@ CURVE_FUNCTION BraidGirth braidGirth(BraidedHair hair, Lacing lacing, Num q)
     Num whole = most(lacing.wisp, lacing.pathX * kWispRadiusFraction);
     Num open = mixed(lacing.wisp * mixed(Num(1.0F), Num(kTieWispFraction), tied), whole * kTuftWispFraction,
                      opened * (2.0F - opened));
-    girth.wispM = r * mixed(open, whole * kTuftTipFraction, narrowed);
+    girth.wispM = wispR * mixed(open, whole * kTuftTipFraction, narrowed);
     return girth;
+}
+
+// The rope that a bun is wound of: a turn beside the other from the foot of a dome to its top, where it ends in its
+// middle. The axis stands in the dome, and the hair goes along it by the sine of q's angle: see GatheredLay::layCoil().
+CURVE_FUNCTION BraidGirth coilGirth(BraidedHair hair, Num q)
+{
+    // So thick that its turns lie side by side over the dome's meridian.
+    Num wisp = kCoilMeridian / (kCoilMeridian + hair.turns * kCoilApart);
+    Num out = least(q * hair.turns * (1.0F / kCoilEaseTurns), Num(1.0F));
+    Num ends = most(over(q - (1.0F - kCoilEndFraction), kCoilEndFraction), Num(0.0F));
+    ends = ends * ends * (3.0F - ends * 2.0F);
+    Num path = (1.0F - wisp) * cosOf(q * (0.25F * kFullTurn));
+    BraidGirth girth;
+    girth.tuft = ends;
+    girth.pathM = hair.radiusM * path * out * (2.0F - out) * (1.0F - ends);
+    girth.wispM =
+        hair.radiusM * wisp * mixed(Num(kCoilFirstWisp), Num(1.0F), out) * (1.0F - ends * (1.0F - kCoilTipWisp));
+    return girth;
+}
+
+// How much of its offset a hair has so many spans behind the last node before its braid: it comes to its wisp late,
+// since there it still lies on the skin.
+CURVE_FUNCTION Num gatheredPart(Num spans)
+{
+    Num part = least(spans, Num(1.0F));
+    return part * part;
 }
 
 // Equation 3 without its linear part, in units of r, and how it goes on by a radian. x along the frame's first axis, z
@@ -273,8 +303,8 @@ CURVE_FUNCTION WispPath wispPath(Lacing lacing, Num angle)
     return path;
 }
 
-// At a fraction q of the hair's part of a braid, of so many metres, of one of its wisps, from the strand's axis: along the frame's first
-// axis, the strand, and the third.
+// At a fraction q of the hair's part of a braid, of so many metres, of one of its wisps, from the strand's axis: along
+// the frame's first axis, the strand, and the third.
 CURVE_FUNCTION Vec3 braidedOffset(BraidedHair hair, Num kind, Num wisp, Num q, Num braidM)
 {
     // Of the whole braid.
@@ -283,7 +313,16 @@ CURVE_FUNCTION Vec3 braidedOffset(BraidedHair hair, Num kind, Num wisp, Num q, N
     braidM = braidM * (1.0F + hair.begun / most(hair.turns, Num(1e-3F)));
     hair.turns = whole;
     Lacing lacing = lacingOf(kind);
+    Flag isLaced = kind < 6.5F;
+    Num twist = Num(kWispTwist);
     BraidGirth girth = braidGirth(hair, lacing, q);
+    if (!everywhere(isLaced)) {
+        BraidGirth coil = coilGirth(hair, q);
+        girth.tuft = select(isLaced, girth.tuft, coil.tuft);
+        girth.pathM = select(isLaced, girth.pathM, coil.pathM);
+        girth.wispM = select(isLaced, girth.wispM, coil.wispM);
+        twist = select(isLaced, twist, Num(kCoilTwist));
+    }
     Num turned = hair.turns * q * kFullTurn;
     WispPath path = wispPath(lacing, turned + wisp / lacing.wisps * kFullTurn);
     Num perLength = girth.pathM * hair.turns * kFullTurn / most(braidM, Num(1e-6F));
@@ -293,17 +332,23 @@ CURVE_FUNCTION Vec3 braidedOffset(BraidedHair hair, Num kind, Num wisp, Num q, N
     Vec3 along = vec3Of(onwardX * perUnit, perUnit, onwardZ * perUnit);
     // A hair's position in the wisp lies across the wisp's own path, so that wisps are round, and turns about it.
     Num aside = root(along.y * along.y + along.z * along.z);
-    Num c = cosOf(turned * kWispTwist);
-    Num s = sinOf(turned * kWispTwist);
+    Num c = cosOf(turned * twist);
+    Num s = sinOf(turned * twist);
     Num x = (hair.wispX * c - hair.wispY * s) * girth.wispM;
     Num y = (hair.wispX * s + hair.wispY * c) * girth.wispM;
     // Along the braid they have the room that their number leaves.
     Num roomM = braidM * lacing.roomTurns / most(hair.turns, Num(1e-3F));
     Num squash = least(Num(1.0F), roomM / most(girth.wispM, Num(1e-6F)));
     Num shorter = braidM * (kTuftFraction * kTuftUneven) * girth.tuft * partOf(hair.chance * kOwnEndFactor + 0.5F);
-    return vec3Of(path.x * girth.pathM + x * aside,
-                  0.0F - (x * along.x * along.y + y * along.z) / aside * squash - shorter,
-                  path.z * girth.pathM + (y * along.y - x * along.x * along.z) / aside);
+    Vec3 laced = vec3Of(path.x * girth.pathM + x * aside,
+                        0.0F - (x * along.x * along.y + y * along.z) / aside * squash - shorter,
+                        path.z * girth.pathM + (y * along.y - x * along.x * along.z) / aside);
+    if (everywhere(isLaced))
+        return laced;
+    // A coil's rope lies across the axis nearly everywhere: outward and along the axis are across the rope.
+    // Its end is tucked in.
+    Num tuckedM = girth.tuft * girth.wispM * kCoilTucked;
+    return select(isLaced, laced, vec3Of(path.x * (girth.pathM + x), y - tuckedM, path.z * (girth.pathM + x)));
 }
 
 // Frizz: noise along the strand that is 0 at the root and grows to the tip.

@@ -1,6 +1,8 @@
 // Courses over the skin, and the arc of a tail.
 #include "sim/groom/gathered_path.h"
 
+#include "sim/base/deterministic.h"
+#include "sim/groom/curve_constants.h"
 #include "sim/groom/unit_vector.h"
 
 #include <algorithm>
@@ -256,11 +258,13 @@ void GatheredLay::layToward(const Course& course, float lengthM, std::span<glm::
         nodesHd[node] = onCourse(course, lengthM * static_cast<float>(node) / last);
 }
 
-void GatheredLay::layAxis(float heightM, std::span<glm::vec3> fromRingHd) const
+void GatheredLay::layCoil(float heightM, std::span<glm::vec3> fromRingHd) const
 {
+    constexpr float kQuarterTurn = 0.25F * kFullTurn;
     const auto last = static_cast<float>(fromRingHd.size() - 1);
     for (std::size_t node = 0; node < fromRingHd.size(); ++node)
-        fromRingHd[node] = m_strings->endHd() + m_tie.directionHd * (heightM * static_cast<float>(node) / last);
+        fromRingHd[node] =
+            m_strings->endHd() + m_tie.directionHd * (heightM * sinDet(kQuarterTurn * static_cast<float>(node) / last));
 }
 
 } // namespace hairpaint::sim

@@ -45,8 +45,8 @@ public:
     float layTail(const Course& course, float freeM, std::span<glm::vec3> nodesHd) const;
     /// Of a hair that ends before the ring: nodes evenly along `lengthM` of its course.
     void layToward(const Course& course, float lengthM, std::span<glm::vec3> nodesHd) const;
-    /// Nodes from the ring on, evenly along `heightM` of its axis.
-    void layAxis(float heightM, std::span<glm::vec3> fromRingHd) const;
+    /// Nodes from the ring on, up to `heightM` along its axis as a coil rises (coilGirth() in curve_formula.inl).
+    void layCoil(float heightM, std::span<glm::vec3> fromRingHd) const;
 
 private:
     struct TailPoint

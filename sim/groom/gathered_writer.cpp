@@ -13,7 +13,24 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr float kShortestMovingTailM = 0.005F; ///< A shorter end behind the ring does not move.
+constexpr float kFewestTurns = 1.7F;           ///< Of a bun that covers its tie,
+constexpr float kMostTurns = 3.0F;             ///< and of one whose rope is seen to be one.
 constexpr float kTailKeepsStep = 0.3F;         ///< Of clump: from there on a hair curls as its lock does.
+
+/// Radius of the rope's path at the foot of a coil, in units of the coil's.
+float coilPathFraction(float turns)
+{
+    return 1.0F - kCoilMeridian / (kCoilMeridian + turns * kCoilApart);
+}
+
+/// That so much hair makes: the longer it is the finer the rope, in bounds.
+float coilTurns(float radiusM, float freeM)
+{
+    // Of the path's circles over the dome to the coil's radius, in the mean.
+    constexpr float kMeanCircle = 0.45F;
+    return std::clamp(freeM / (2.0F * std::numbers::pi_v<float> * kMeanCircle * std::max(radiusM, 1e-4F)), kFewestTurns,
+                      kMostTurns);
+}
 
 } // namespace
 
@@ -31,7 +48,7 @@ void GatheredWriter::write(std::uint32_t slot, const RootChance& chance, const R
     const Gathering& gathering = m_inputs.gathering;
     const Gathering::TieState& tie = gathering.tieOf(gathering.numberOf(slot));
     const bool isBun = tie.tie.form == TieForm::Bun;
-    const BraidKind kind = isBun ? BraidKind::Twist : lacedKind(static_cast<BraidKind>(m_inputs.kinds[slot]));
+    const BraidKind kind = isBun ? kCoilKind : lacedKind(static_cast<BraidKind>(m_inputs.kinds[slot]));
     const bool isAlongCore = kind != BraidKind::None && tie.core != kNoCentre;
     const GatheredLay::Course course =
         tie.lay.courseOf(roots.face[slot], roots.positionHd[slot], chance.coatHeight, isAlongCore);
@@ -62,14 +79,11 @@ void GatheredWriter::write(std::uint32_t slot, const RootChance& chance, const R
                    {.scalpM = tautM, .lengthM = coreFreeM, .radiusM = braidRadiusM(settings, coreFreeM)}, hair.style);
         hair.style.braidStart = start;
         if (isBun) {
-            // A twist of that thickness along a short axis is a coil.
-            constexpr float kHeightRadii = 1.1F;
-            const float heightM = tie.tie.bunRadiusM * kHeightRadii;
-            tie.lay.layAxis(heightM, nodes.subspan(m_ring));
+            const float turns = coilTurns(tie.tie.bunRadiusM, coreFreeM);
+            tie.lay.layCoil(kCoilHeight * tie.tie.bunRadiusM * coilPathFraction(turns), nodes.subspan(m_ring));
             hair.style.braidTaper = 0;
-            hair.style.braidRadiusM = tie.tie.bunRadiusM / (kTwistFraction + kTwistWispFraction);
-            hair.style.braidTurns = coreFreeM / (2.0F * std::numbers::pi_v<float> * kTwistFraction *
-                                                 std::max(hair.style.braidRadiusM, 1e-4F));
+            hair.style.braidRadiusM = tie.tie.bunRadiusM;
+            hair.style.braidTurns = turns;
         }
         hair.followed = {.basis = {tie.core, tie.core, tie.core}, .weights = {1.0F, 0.0F, 0.0F}};
         store(hair, tie.core, !isBun);

@@ -283,7 +283,7 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
             const float braidM =
                 of_floats::braidLength(glm::length(derivative), static_cast<float>(last), style.braidStart);
             const float q = of_floats::braidFraction(s, style.braidStart);
-            const glm::vec3 offset = braidedOffset(style, q, braidM) * std::min(gathered, 1.0F);
+            const glm::vec3 offset = braidedOffset(style, q, braidM) * of_floats::gatheredPart(gathered);
             point += first * offset.x + tangent * offset.y + glm::cross(first, tangent) * offset.z;
         } else if (isCurled && coils != nullptr) {
             const glm::vec3 offset = coilOffset(style, *coils, of_floats::curledFraction(s, style.braidStart));

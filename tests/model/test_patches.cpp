@@ -1,4 +1,5 @@
 // Patches of the accessory map: each is one worn thing, in the same step of the history.
+#include "model/document/gather_command.h"
 #include "model/files/project_file.h"
 #include "tests/model/fixtures.h"
 #include "tests/support/test_program.h"
@@ -346,6 +347,45 @@ private Q_SLOTS:
         QVERIFY(sameProjects(document.committed(), before));
         Document bald(patchProject());
         QVERIFY(gatherCommand(bald, bald.project().groups.front().id, ponytail, at(0.5F, 0.5F), {}) == nullptr);
+    }
+
+    void oneClickMakesTwoTailsAndAParting_data()
+    {
+        QTest::addColumn<bool>("wasTied");
+        QTest::newRow("loose hair") << false;
+        QTest::newRow("hair in one ponytail") << true;
+    }
+
+    void oneClickMakesTwoTailsAndAParting()
+    {
+        QFETCH(bool, wasTied);
+        Document document(filledPatch(MapKind::Density, 65535));
+        const WornSpec& ponytail = wornSpec(WornKind::Ponytail);
+        const Id group = document.committed().groups.front().id;
+        const auto at = [&](float u, float v) { return *document.committed().head->skin->atUv({u, v}); };
+        if (wasTied)
+            document.push(gatherCommand(document, group, ponytail, at(0.4F, 0.5F), {}));
+        const Project before = document.committed();
+        document.push(gatherTwinsCommand(document, group, ponytail, at(0.8F, 0.7F), {}));
+        QCOMPARE(document.undoStack().undoText(), QStringLiteral("Gather hair into twin tails"));
+        QCOMPARE(wornIn(document).size(), std::size_t{2});
+        const glm::vec3 one = wornIn(document).front().shape.centreHd;
+        const glm::vec3 other = wornIn(document).back().shape.centreHd;
+        QVERIFY(std::abs(std::abs(one.x) - 0.06F) < 1e-4F);
+        QVERIFY(glm::distance(one * glm::vec3(-1.0F, 1.0F, 1.0F), other) < 1e-4F);
+        const auto isNear = [](glm::vec3 tie, std::uint16_t number, const Document& of) {
+            return gatheredAt(of, {tie.x < 0.0F ? 0.45F : 0.55F, 0.3F}) == number;
+        };
+        for (const Worn& tie : wornIn(document))
+            QVERIFY(isNear(tie.shape.centreHd, tie.patch->number, document));
+        // Nothing grows in the parting, which is narrow.
+        const sim::MapRaster density = document.resolvedNow(group, MapKind::Density);
+        QCOMPARE(density->sampleNearest({0.5F, 0.6F})[0], std::uint16_t{0});
+        QCOMPARE(density->sampleNearest({0.52F, 0.6F})[0], std::uint16_t{65535});
+        document.undo();
+        QVERIFY(sameProjects(document.committed(), before));
+        Document bald(patchProject());
+        QVERIFY(gatherTwinsCommand(bald, bald.project().groups.front().id, ponytail, at(0.8F, 0.5F), {}) == nullptr);
     }
 
     void filesKeepPatchesAndTheirThings()

@@ -190,14 +190,14 @@ void TestBraids::wispsAndTheirRootsAreSpreadEvenly()
         QCOMPARE(style.braid, BraidKind::Plait);
         ++wisps[style.wisp];
         const glm::vec2 offset = style.wispOffset;
-        QVERIFY(glm::length(offset) <= 1.01F);
+        QVERIFY(glm::length(offset) <= 1.13F); // Beyond it to close the gap between three.
         mean += offset / 20000.0F;
         meanSquare += glm::dot(offset, offset) / 20000.0F;
     }
     for (const int count : wisps)
         QVERIFY(std::abs(count - 6667) < 300);
     QVERIFY(glm::length(mean) < 0.03F);
-    QVERIFY(std::abs(meanSquare - 0.48F) < 0.04F); // Of a disc filled about evenly: wisps are made of strands.
+    QVERIFY(std::abs(meanSquare - 0.61F) < 0.04F); // Of that disc filled about evenly: wisps are made of strands.
 }
 
 void TestBraids::paintingElsewhereLeavesABraidAlone()

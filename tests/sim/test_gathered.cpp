@@ -268,6 +268,60 @@ private Q_SLOTS:
         QVERIFY(count > 2000);
     }
 
+    void aBunHasNoHoleAndIsWiderAtItsFoot_data()
+    {
+        QTest::addColumn<float>("lengthM");
+        QTest::newRow("short hair") << 0.25F;
+        QTest::newRow("long hair") << 0.7F;
+    }
+
+    void aBunHasNoHoleAndIsWiderAtItsFoot()
+    {
+        QFETCH(float, lengthM);
+        constexpr int kCells = 15; // From its middle to its rim.
+        GroomInput input = tiedBall(12000, lengthM);
+        input.groups.front().settings.nodesPerHair = 16;
+        Tie& tie = input.groups.front().ties.front();
+        tie.form = TieForm::Bun;
+        tie.directionHd = glm::normalize(tie.pointHd);
+        const glm::vec3 across = glm::normalize(glm::cross(tie.directionHd, glm::vec3(1.0F, 0.0F, 0.0F)));
+        const glm::vec3 aside = glm::cross(tie.directionHd, across);
+        const auto groom = groomed(input);
+        std::vector<float> top(static_cast<std::size_t>(4 * kCells * kCells), 0.0F);
+        float highest = 0.0F;
+        std::vector<glm::vec2> alongAndOut;
+        forEachGathered(*groom, [&](std::uint32_t slot, const StrandStyle& style, bool) {
+            if (style.braid == BraidKind::None)
+                return;
+            const std::vector<glm::vec3> points = drawn(*groom, slot, restNodes(*groom, slot), 240);
+            for (std::size_t i = 80; i < points.size(); ++i) {
+                const glm::vec3 off = points[i] - tie.pointHd;
+                const float along = glm::dot(off, tie.directionHd);
+                const glm::vec2 at(glm::dot(off, across), glm::dot(off, aside));
+                highest = std::max(highest, along);
+                alongAndOut.emplace_back(along, glm::length(at));
+                const glm::ivec2 cell = glm::ivec2(glm::floor(at * (kCells / tie.bunRadiusM))) + kCells;
+                if (cell.x >= 0 && cell.y >= 0 && cell.x < 2 * kCells && cell.y < 2 * kCells) {
+                    float& height = top[static_cast<std::size_t>(cell.y * 2 * kCells + cell.x)];
+                    height = std::max(height, along);
+                }
+            }
+        });
+        float lowest = 1.0F;
+        for (int y = -kCells; y < kCells; ++y)
+            for (int x = -kCells; x < kCells; ++x)
+                if (glm::length(glm::vec2(x, y) + 0.5F) < 0.4F * kCells)
+                    lowest = std::min(lowest, top[static_cast<std::size_t>((y + kCells) * 2 * kCells + x + kCells)]);
+        QVERIFY2(lowest > 0.35F * highest, qPrintable(QStringLiteral("%1 of %2").arg(lowest).arg(highest)));
+        float foot = 0.0F;
+        float crown = 0.0F;
+        for (const glm::vec2 point : alongAndOut) {
+            foot = point.x < 0.4F * highest ? std::max(foot, point.y) : foot;
+            crown = point.x > 0.85F * highest ? std::max(crown, point.y) : crown;
+        }
+        QVERIFY2(crown < 0.8F * foot, qPrintable(QStringLiteral("%1 of %2").arg(crown).arg(foot)));
+    }
+
     void aTailIsBraidedWhereTheBraidMapSays()
     {
         GroomInput input = tiedBall();

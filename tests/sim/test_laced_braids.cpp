@@ -100,6 +100,9 @@ private Q_SLOTS:
     void itsSurfaceStaysOutOfTheSkin_data();
     void itsSurfaceStaysOutOfTheSkin();
     void frizzyHairsLeaveTheirWisp();
+    void oneSeesNotThroughItsBeginning_data();
+    void oneSeesNotThroughItsBeginning();
+    void hairsFillTheirWisp();
 };
 
 void TestLacedBraids::wispsTouchAndAreNotInEachOther_data()
@@ -267,13 +270,76 @@ void TestLacedBraids::frizzyHairsLeaveTheirWisp()
             style.frizzM = frizzM;
             style.variation = static_cast<float>(rank) / 2000.0F - 1.0F;
             applyBraid({}, BraidKind::Plait, wispChanceOf(1, rank), {.lengthM = 0.3F, .radiusM = kRadiusM}, style);
-            count += glm::length(style.wispOffset) > 1.02F ? 1 : 0;
+            count += glm::length(style.wispOffset) > 1.15F ? 1 : 0;
         }
         return count;
     };
     QCOMPARE(outside(0.0F), 0);
     QVERIFY(outside(0.002F) > 10);
     QVERIFY(outside(0.008F) > 2 * outside(0.002F));
+}
+
+void TestLacedBraids::oneSeesNotThroughItsBeginning_data()
+{
+    QTest::addColumn<int>("kind");
+    for (const auto& [name, kind] :
+         {std::pair{"plait", BraidKind::Plait}, std::pair{"twist", BraidKind::Twist},
+          std::pair{"plait of four", BraidKind::PlaitOfFour}, std::pair{"plait of five", BraidKind::PlaitOfFive},
+          std::pair{"fishtail", BraidKind::Fishtail}})
+        QTest::newRow(name) << static_cast<int>(kind);
+}
+
+/// Where the wisps have not parted yet, they are one bundle from whichever side.
+void TestLacedBraids::oneSeesNotThroughItsBeginning()
+{
+    QFETCH(int, kind);
+    constexpr float kGap = 0.06F; // Of the braid's radius.
+    std::vector<glm::vec2> hairs;
+    std::vector<glm::vec3> points;
+    for (std::uint32_t rank = 0; rank < 3000; ++rank) {
+        StrandStyle style;
+        style.variation = static_cast<float>(rank) / 1500.0F - 1.0F;
+        applyBraid({}, static_cast<BraidKind>(kind), wispChanceOf(1, rank),
+                   {.lengthM = kStraightM, .radiusM = kRadiusM}, style);
+        style.braidStart = 0.0F;
+        evaluateStrand(straight(), {1.0F, 0.0F, 0.0F}, style, 60, points);
+        hairs.emplace_back(points.front().x / kRadiusM, points.front().z / kRadiusM);
+    }
+    for (int side = 0; side < 24; ++side) {
+        const float angle = 3.1416F * static_cast<float>(side) / 24.0F;
+        std::vector<float> across;
+        across.reserve(hairs.size());
+        for (const glm::vec2 hair : hairs)
+            across.push_back(hair.x * std::cos(angle) + hair.y * std::sin(angle));
+        std::ranges::sort(across);
+        for (std::size_t i = 1; i < across.size(); ++i)
+            QVERIFY2(across[i] - across[i - 1] < kGap, qPrintable(QString::number(across[i] - across[i - 1])));
+        QVERIFY2(across.back() - across.front() > 0.8F, qPrintable(QString::number(across.back() - across.front())));
+    }
+}
+
+/// Strands are seen in it, but nothing through it.
+void TestLacedBraids::hairsFillTheirWisp()
+{
+    constexpr float kEmpty = 0.15F; // Of the wisp's radius, the largest empty disc's.
+    std::vector<glm::vec2> hairs;
+    for (std::uint32_t rank = 0; rank < 6000; ++rank) {
+        StrandStyle style;
+        applyBraid({}, BraidKind::Plait, wispChanceOf(1, rank), {.lengthM = 0.3F, .radiusM = kRadiusM}, style);
+        hairs.push_back(style.wispOffset);
+    }
+    float largest = 0.0F;
+    for (int x = -40; x <= 40; ++x)
+        for (int y = -40; y <= 40; ++y) {
+            const glm::vec2 at = glm::vec2(x, y) / 50.0F;
+            if (glm::length(at) > 0.8F)
+                continue;
+            float nearest = 9.0F;
+            for (const glm::vec2 hair : hairs)
+                nearest = std::min(nearest, glm::length(hair - at));
+            largest = std::max(largest, nearest);
+        }
+    QVERIFY2(largest < kEmpty, qPrintable(QString::number(largest)));
 }
 
 HAIRPAINT_TEST(TestLacedBraids, None)

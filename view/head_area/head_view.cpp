@@ -162,6 +162,12 @@ void HeadView::addWorn(model::WornKind kind)
         addWornAt(m_state, kind, *point);
 }
 
+void HeadView::addTwinTails()
+{
+    if (const std::optional<sim::SurfacePoint> point = m_scene->pointForWorn())
+        addTwinTailsAt(m_state, *point);
+}
+
 void HeadView::removeWorn()
 {
     removeChosenWorn(m_state);

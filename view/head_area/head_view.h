@@ -78,6 +78,7 @@ public Q_SLOTS:
     void moveHead(hairpaint::sim::NeckMotion motion);
     void turnToBrush(); ///< So that the skin shows where the brush was last, in whichever area.
     void addWorn(hairpaint::model::WornKind kind); ///< Where the brush was last; it is chosen.
+    void addTwinTails();                           ///< There and on the other side.
     void removeWorn();                             ///< The chosen one.
     void setHairPaused(bool paused);               ///< Says so over the picture.
     void setWeatherShown(bool shown);              ///< F7: the paper's keys for wind and light.

@@ -2,6 +2,7 @@
 #include "view/head_area/worn_edit.h"
 
 #include "model/document/commands.h"
+#include "model/document/gather_command.h"
 #include "view/editing/editor_state.h"
 
 #include <QCoreApplication>
@@ -30,6 +31,23 @@ void addWornAt(EditorState& editor, model::WornKind kind, const sim::SurfacePoin
         editor.options().setCollidersShown(true);
     // The newest of its kind is the last one.
     editor.options().setChosenWorn(std::ranges::find(all.rbegin(), all.rend(), kind, &model::Worn::kind)->id);
+}
+
+void addTwinTailsAt(EditorState& editor, const sim::SurfacePoint& point)
+{
+    constexpr model::WornKind kKind = model::WornKind::Ponytail;
+    model::Document& document = editor.document();
+    model::CommandPtr command = gatherTwinsCommand(document, editor.target().group(), model::wornSpec(kKind), point,
+                                                   editor.tools().selection().rectangles());
+    if (command == nullptr) {
+        if (editor.tools().mayPaint({model::MapKind::Accessory}))
+            Q_EMIT editor.refused(model::wornText(QT_TRANSLATE_NOOP(
+                "Worn", "No hair grows on both sides here that two tails could take: paint density on both")));
+        return;
+    }
+    document.push(std::move(command));
+    const std::vector<model::Worn>& all = document.project().worn;
+    editor.options().setChosenWorn(std::ranges::find(all.rbegin(), all.rend(), kKind, &model::Worn::kind)->id);
 }
 
 void removeChosenWorn(EditorState& editor)

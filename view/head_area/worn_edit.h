@@ -11,6 +11,8 @@ class EditorState;
 /// On the skin there; it is chosen, and seen: of a kind that is never drawn, by its outline. Nothing where a project
 /// holds no more.
 void addWornAt(EditorState& editor, model::WornKind kind, const sim::SurfacePoint& point);
+/// A tail there and one on the other side of the head, parted along the middle; one is chosen.
+void addTwinTailsAt(EditorState& editor, const sim::SurfacePoint& point);
 /// Nothing where none is chosen.
 void removeChosenWorn(EditorState& editor);
 

@@ -22,8 +22,11 @@ AreaMenu::AreaMenu(const ActionSet& actions, QWidget* parent) : QMenu(parent)
     }
     QMenu* worn = addMenu(tr("Tie and put on"));
     worn->setToolTipsVisible(true);
-    for (const model::WornSpec& spec : model::wornSpecs())
+    for (const model::WornSpec& spec : model::wornSpecs()) {
         worn->addAction(actions.find(QLatin1StringView(QByteArray("hair.add") + spec.action)));
+        if (spec.kind == model::WornKind::Ponytail)
+            worn->addAction(actions.find(QLatin1StringView("hair.addTwinTails")));
+    }
     addAction(actions.find(QLatin1StringView("hair.removeWorn")));
 }
 

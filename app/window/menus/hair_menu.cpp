@@ -125,6 +125,15 @@ void HairMenu::addWorn(ActionSet& actions, Session& session, view::HeadView& hea
                                      return project.head && countOf(project.worn, spec.kind) < spec.limit;
                                  }}});
         actions.find(QLatin1StringView(id))->setToolTip(model::wornText(spec.addHint).arg(spec.limit));
+        if (spec.kind != model::WornKind::Ponytail)
+            continue;
+        actions.add(*menu, {{.id = "hair.addTwinTails",
+                             .text = tr("T&win tails here"),
+                             .run = [&head] { head.addTwinTails(); },
+                             .enabled = [&session] { return session.document().project().head != nullptr; }}});
+        actions.find(QLatin1StringView("hair.addTwinTails"))
+            ->setToolTip(tr("Gathers the active group's hair into two tails, where the pointer was last on the head "
+                            "and on the other side, with a parting between them"));
     }
     const auto chosen = [&session]() -> const model::Worn* {
         return session.document().project().wornThing(session.editor().options().chosenWorn());

@@ -139,7 +139,7 @@ HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spa
                 const Lanes q = of_lanes::braidFraction(Lanes(s), start);
                 const Lanes braidM = of_lanes::braidLength(root(dot(derivative, derivative)),
                                                            Lanes(static_cast<float>(nodes - 1)), start);
-                const Triple<Lanes> offset = braidedOffset(block, lane, q, braidM) * least(gathered, Lanes(1.0F));
+                const Triple<Lanes> offset = braidedOffset(block, lane, q, braidM) * of_lanes::gatheredPart(gathered);
                 const Triple<Lanes> projected = of_lanes::across(rootTangent, tangent);
                 const Yes isBefore = at < shared - Lanes(kNodeTolerance);
                 if (along == 0.0F || j == spans.total)
