@@ -174,6 +174,8 @@ bool BraidLayout::update(const Inputs& inputs, SlotSet& dirty)
 
 bool BraidLayout::updateLabels(const Inputs& inputs)
 {
+    if (!m_laced && !inputs.otherKinds)
+        return false; // Still none is to be braided.
     const bool isSame = m_laced && inputs.braid == m_braid && inputs.density == m_density;
     if (isSame || std::ranges::all_of(inputs.kinds, [](std::uint8_t kind) { return kind == 0; })) {
         if (!isSame)

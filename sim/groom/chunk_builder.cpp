@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace hairpaint::sim {
 
@@ -30,8 +31,7 @@ public:
           m_firstSlot(static_cast<std::uint32_t>(chunkIndex * kChunkSlots)), m_blocks(inputs.settings.nodesPerHair),
           m_nodes(static_cast<std::size_t>(inputs.settings.nodesPerHair)),
           m_lay(inputs.lay, inputs.settings.nodesPerHair), m_look(inputs.settings, inputs.maps),
-          m_varies(!inputs.hairline.isOff() || inputs.settings.variation != VariationSettings{}),
-          m_gathered(inputs, chunkIndex, chunk)
+          m_varies(!inputs.hairline.isOff() || inputs.settings.variation != VariationSettings{})
     {}
 
     void write(std::uint32_t slot, float density)
@@ -51,7 +51,9 @@ public:
             style.detail = StrandStyle{}.detail;
         if (isDrawn && m_inputs.gathering.numberOf(slot) != 0 && hair.own.babyM == 0.0F) {
             m_passed.put(slot, {});
-            m_gathered.write(slot, chance, values, hair.own, style);
+            if (!m_gathered)
+                m_gathered.emplace(m_inputs, chunkOf(slot), m_chunk);
+            m_gathered->write(slot, chance, values, hair.own, style);
             return;
         }
         if (const Braid* braid = m_inputs.braids.of(slot); braid != nullptr && isDrawn && hair.own.babyM == 0.0F)
@@ -71,7 +73,8 @@ public:
     void finishAll()
     {
         finish();
-        m_gathered.finish();
+        if (m_gathered)
+            m_gathered->finish();
     }
 
     void finish()
@@ -329,7 +332,7 @@ private:
     std::array<glm::vec3, kMostNodes> m_buffer{};
     ClumpTask m_clump; ///< Of the hairs that m_lay holds; no clump between batches.
     std::array<float, std::size_t{kMostNodes} * StrandBlocks::kNodeStride> m_basisHd{};
-    GatheredWriter m_gathered;
+    std::optional<GatheredWriter> m_gathered; ///< Larger than a cache: made for the first gathered hair.
 };
 
 std::shared_ptr<StrandChunk> emptyChunk(int nodes, bool hasLocks)

@@ -25,8 +25,8 @@ public:
     HWY_INLINE BendingSolve(int nodes, const float* HWY_RESTRICT lanes, float* HWY_RESTRICT rows)
         : m_rows(rows), m_last(nodes - 1), m_bend(loaded(lanes + kBend * kLanes)),
           m_held(1.0F + loaded(lanes + kHold * kLanes)), m_loft(loaded(lanes + kLoft * kLanes)),
-          m_perLoft(loaded(lanes + kSegmentLength * kLanes) * (1.0F / kLoftM)), m_pivot(0.0F), m_secondPivot(0.0F),
-          m_beside(0.0F), m_above{0.0F, 0.0F, 0.0F}, m_secondAbove(m_above)
+          m_hasLoft(any(m_loft > 0.0F)), m_perLoft(loaded(lanes + kSegmentLength * kLanes) * (1.0F / kLoftM)),
+          m_pivot(0.0F), m_secondPivot(0.0F), m_beside(0.0F), m_above{0.0F, 0.0F, 0.0F}, m_secondAbove(m_above)
     {}
 
     /// The next node from the root on; `free`: its u*. Writes its eliminated right-hand side into p.
@@ -38,7 +38,7 @@ public:
         const Lanes second = m_bend * m_secondPivot;
         m_beside = m_bend * (i == 1 ? 0.0F : i == m_last ? -2.0F : -4.0F) - second * m_beside;
         const Lanes first = m_beside * m_pivot;
-        const Lanes held = m_held + loftAt(i, free);
+        const Lanes held = m_hasLoft ? m_held + loftAt(i, free) : m_held;
         const Lanes whole = mass * held + m_bend * diagonal - first * m_beside - second * m_bend;
         m_secondPivot = m_pivot;
         m_pivot = Lanes(1.0F) / select(whole > 0.0F, whole, 1.0F);
@@ -83,7 +83,9 @@ private:
     float* HWY_RESTRICT m_rows;
     int m_last;
     Lanes m_bend, m_held;
-    Lanes m_loft, m_perLoft;
+    Lanes m_loft;
+    bool m_hasLoft; ///< Any of the strands.
+    Lanes m_perLoft;
     Lanes m_pivot, m_secondPivot;  ///< Inverses of the last two pivots.
     Lanes m_beside;                ///< The last row's own term beside the diagonal.
     Lanes3 m_above, m_secondAbove; ///< Eliminated right-hand sides.
