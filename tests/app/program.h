@@ -48,7 +48,7 @@ inline qint64 residentBytes(qint64 process)
 
 /// Runs the program without a display, or with X11's `display`. `inChild` is called in the child before the program
 /// starts. `language`: of the system, "es_ES".
-inline Outcome runProgram(const QStringList& arguments, const std::function<void()>& inChild = {},
+inline Outcome runProgram(const QStringList& arguments, [[maybe_unused]] const std::function<void()>& inChild = {},
                           const char* language = "C", const char* display = nullptr)
 {
     QProcess process;
