@@ -265,15 +265,15 @@ CURVE_FUNCTION BraidGirth coilGirth(BraidedHair hair, Num q)
 {
     // So thick that its turns lie side by side over the dome's meridian.
     Num wisp = kCoilMeridian / (kCoilMeridian + hair.turns * kCoilApart);
-    Num out = least(q * hair.turns * (1.0F / kCoilEaseTurns), Num(1.0F));
+    Num outward = least(q * hair.turns * (1.0F / kCoilEaseTurns), Num(1.0F));
     Num ends = most(over(q - (1.0F - kCoilEndFraction), kCoilEndFraction), Num(0.0F));
     ends = ends * ends * (3.0F - ends * 2.0F);
     Num path = (1.0F - wisp) * cosOf(q * (0.25F * kFullTurn));
     BraidGirth girth;
     girth.tuft = ends;
-    girth.pathM = hair.radiusM * path * out * (2.0F - out) * (1.0F - ends);
+    girth.pathM = hair.radiusM * path * outward * (2.0F - outward) * (1.0F - ends);
     girth.wispM =
-        hair.radiusM * wisp * mixed(Num(kCoilFirstWisp), Num(1.0F), out) * (1.0F - ends * (1.0F - kCoilTipWisp));
+        hair.radiusM * wisp * mixed(Num(kCoilFirstWisp), Num(1.0F), outward) * (1.0F - ends * (1.0F - kCoilTipWisp));
     return girth;
 }
 
