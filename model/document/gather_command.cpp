@@ -1,4 +1,6 @@
 // Hair gathered by one click: a patch painted where hair stands, and the tie put where it was clicked.
+#include "model/document/gather_command.h"
+
 #include "model/document/edit_command.h"
 #include "model/document/paint_command.h"
 

@@ -1,7 +1,7 @@
 // Through an edit session, with a question where it is needed.
 #include "view/panels/style_fitting.h"
 
-#include "model/document/commands.h"
+#include "model/styles/style_use.h"
 #include "model/values/names.h"
 #include "view/panels/style_question.h"
 
