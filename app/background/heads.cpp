@@ -1,7 +1,7 @@
 // Heads from foreign meshes: see the header.
 #include "app/background/heads.h"
 
-#include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "model/files/part_selection.h"
 #include "model/values/sentences.h"
 

@@ -28,7 +28,7 @@ constexpr int kMsBetweenLooks = 30;
 constexpr int kMsUntilLeft = 2000; ///< After Cancel, while nothing is computed.
 constexpr double kBusyMs = 3.0;    ///< Between two looks.
 
-/// What the window and the thread of some work share.
+/// What the window and the thread of some work both use.
 struct Watched
 {
     std::function<void(const model::Progress&)> work;

@@ -93,7 +93,7 @@ public:
     /// that it uses; where it throws, the answer is T().
     template<typename T>
     void ask(std::function<T()> question, QObject* receiver, std::function<void(T)> done);
-    /// Work that was left to itself, a question, or another counted thread (counted_thread.h) is under way: the program
+    /// Work that was left to itself, a question, or another counted thread (counted_thread.h) is running: the program
     /// ends without waiting for it.
     [[nodiscard]] static bool anyLeft();
 

@@ -3,7 +3,7 @@
 
 #include "app/exchange/blender_addon.h"
 #include "app/exchange/hair_export.h"
-#include "model/document/commands.h"
+#include "model/document/group_commands.h"
 #include "model/importing/curve_import.h"
 #include "model/importing/curve_reader.h"
 #include "view/dialogs/hair_import_dialog.h"

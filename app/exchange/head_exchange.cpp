@@ -2,8 +2,7 @@
 #include "app/exchange/head_exchange.h"
 
 #include "app/background/heads.h"
-#include "model/document/commands.h"
-#include "model/files/glb.h"
+#include "model/document/scene_commands.h"
 #include "model/files/importer_client.h"
 #include "model/styles/style_transfer.h"
 #include "model/values/sentences.h"

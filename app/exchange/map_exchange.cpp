@@ -1,7 +1,7 @@
 // Dialogs, and the work behind them.
 #include "app/exchange/map_exchange.h"
 
-#include "model/document/commands.h"
+#include "model/document/layer_commands.h"
 #include "model/exporting/uv_sheet.h"
 #include "model/files/image_map.h"
 #include "model/files/importer_client.h"

@@ -1,7 +1,7 @@
 // Writing, watching and reading back.
 #include "app/exchange/outside_edit.h"
 
-#include "model/document/commands.h"
+#include "model/document/paint_command.h"
 #include "model/files/image_map.h"
 #include "model/values/names.h"
 #include "model/values/sentences.h"

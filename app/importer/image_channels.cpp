@@ -202,7 +202,7 @@ tl::expected<wire::Image, wire::Reason> readSamples(OIIO::ImageInput& input, con
                 for (const int channel : all)
                     *out++ = static_cast<std::uint16_t>(row[channel - first] * spread);
         };
-        // The library takes the way from 8 bits through floats, to the same values.
+        // The library converts 8 bits through floats, to the same values.
         constexpr std::uint32_t kSpread = 0xFFFFU / 0xFFU;
         if (spec.format == OIIO::TypeDesc::UINT8)
             isWhole = readRows<std::uint8_t>(input, first, range, OIIO::TypeDesc::UINT8,

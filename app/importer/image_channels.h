@@ -34,7 +34,7 @@ struct SampleReading
     ImageChannels channels;
     bool isAssociated = false; ///< Colours are divided by alpha.
     bool isLinear = false;     ///< Colours become sRGB.
-    bool isShown = false;      ///< The display window is read in place of the data; what lies outside is not covered.
+    bool isShown = false;      ///< The display window is read instead of the data; what lies outside is not covered.
 };
 
 /// 16 bits a sample, row 0 on top; none where the file is damaged, or too large. Throws std::bad_alloc.

@@ -1,7 +1,7 @@
 // Connects document, editor and simulation: see the header.
 #include "app/session/session.h"
 
-#include "model/document/commands.h"
+#include "model/document/scene_commands.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Painting takes a moment, so it is a job.
 #include "app/styles/face_hair_switch.h"
 
-#include "model/document/commands.h"
+#include "model/document/group_commands.h"
 #include "model/growth/face_hair.h"
 #include "model/values/sentences.h"
 

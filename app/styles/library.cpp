@@ -1,12 +1,12 @@
 // The library of styles: see the header.
 #include "app/styles/library.h"
 
-#include "model/document/commands.h"
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "model/project/group_schema.h"
 #include "model/project/hair_types.h"
 #include "model/styles/style_folder.h"
+#include "model/styles/style_use.h"
 #include "model/values/names.h"
 #include "model/values/search_text.h"
 

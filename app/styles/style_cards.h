@@ -14,7 +14,7 @@
 namespace hairpaint::app {
 
 /// The card of a style shows it on the head of new projects, as the strip's pictures do. One is open at a time; closed,
-/// what is under way for it is dropped. `window` and the jobs outlive it. GUI thread.
+/// what runs for it is dropped. `window` and the jobs outlive it. GUI thread.
 class StyleCards : public QObject
 {
     Q_OBJECT

@@ -5,11 +5,11 @@
 #include "app/headless/settled_hair.h"
 #include "app/styles/library.h"
 #include "model/disk/own_folder.h"
-#include "model/document/commands.h"
 #include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 #include "model/styles/style_transfer.h"
+#include "model/styles/style_use.h"
 
 #include <QDir>
 #include <QFileInfo>

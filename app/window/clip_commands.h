@@ -13,7 +13,7 @@
 namespace hairpaint::app {
 
 /// Holds what was copied last, which other windows get whole (clip_data.h) and other programs as an image; what one of
-/// them copied since takes its place, also where it can not be pasted. Works on the active layer of the session, which
+/// them copied since replaces it, also where it can not be pasted. Works on the active layer of the session, which
 /// outlives it; each change is one undo step. GUI thread.
 class ClipCommands : public QObject
 {

@@ -4,7 +4,7 @@
 #include "app/background/jobs.h"
 #include "app/exchange/hair_exchange.h"
 #include "app/session/session.h"
-#include "model/document/commands.h"
+#include "model/document/paint_command.h"
 
 #include <QCoreApplication>
 

@@ -20,7 +20,6 @@
 #include "app/window/workspace.h"
 #include "view/head_area/head_view.h"
 #include "view/head_area/turn_hint.h"
-#include "view/paint_area/map_legend.h"
 #include "view/paint_area/paint_view.h"
 #include "view/panels/option_bar.h"
 #include "view/panels/sidebar.h"
@@ -80,6 +79,7 @@ MainWindow::MainWindow(model::Project project, const QString& path, std::unique_
     setMinimumSize(kSmallestWindow);
     m_workspace = new Workspace(m_session.editor(), m_jobs, m_preferences.current());
     setCentralWidget(m_workspace);
+    m_keys = std::make_unique<PositionKeys>(m_actions, m_session, *m_workspace);
     buildMenus();
     offerActions();
     followActions();
@@ -314,7 +314,7 @@ void MainWindow::forgetRestored()
 
 void MainWindow::keepWork()
 {
-    m_session.document().settle(); // A stroke under way is work too.
+    m_session.document().settle(); // An unfinished stroke is work too.
     m_journal.lookAfterFolder();
     m_journal.flush();
     rememberGeometry();
@@ -399,21 +399,9 @@ void MainWindow::dropEvent(QDropEvent* event)
         this, [this, dropped] { m_clipCommands.take(dropped); }, Qt::QueuedConnection);
 }
 
-void MainWindow::lookAt(std::optional<model::MapKind> map)
-{
-    m_session.lookAt(map);
-    m_workspace->headView().setLookedAt(map);
-    const model::HairGroup* group = m_session.document().project().group(m_session.editor().target().group());
-    if (map && group != nullptr)
-        m_workspace->legend().showMap(model::mapSpec(*map), group->settings);
-    else
-        m_workspace->legend().hide();
-}
-
 void MainWindow::keyReleaseEvent(QKeyEvent* event)
 {
-    if (!event->isAutoRepeat() && (event->key() == Qt::Key_Alt || digitOf(physicalKey(*event)) > 0))
-        lookAt(std::nullopt);
+    m_keys->release(*event);
     QMainWindow::keyReleaseEvent(event);
 }
 
@@ -421,7 +409,7 @@ bool MainWindow::event(QEvent* event)
 {
     // Another window gets the release of a key that is held now.
     if (event->type() == QEvent::WindowDeactivate && m_workspace != nullptr)
-        lookAt(std::nullopt);
+        m_keys->letGo();
     if (event->type() == QEvent::WindowActivate) {
         m_files.lookOutside();
         m_journal.lookAfterFolder();
@@ -431,33 +419,8 @@ bool MainWindow::event(QEvent* event)
 
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
-    if (event->modifiers() == Qt::AltModifier) {
-        const int digit = digitOf(physicalKey(*event));
-        if (digit >= 1 && digit <= model::kMapKindCount) {
-            if (!event->isAutoRepeat())
-                lookAt(static_cast<model::MapKind>(digit - 1));
-            return;
-        }
-    }
-    QAction* action = event->modifiers() == Qt::NoModifier ? actionAt(physicalKey(*event)) : nullptr;
-    if (action != nullptr)
-        action->trigger();
-    else
+    if (!m_keys->press(*event))
         QMainWindow::keyPressEvent(event);
-}
-
-QAction* MainWindow::actionAt(PhysicalKey key) const
-{
-    QByteArray id;
-    const int digit = digitOf(key);
-    if (key == PhysicalKey::BracketLeft)
-        id = "tool.smaller";
-    else if (key == PhysicalKey::BracketRight)
-        id = "tool.larger";
-    else if (digit >= 1 && digit <= model::kMapKindCount)
-        id = QByteArray("map.") + model::mapSpec(static_cast<model::MapKind>(digit - 1)).id;
-    QAction* action = m_actions.find(QLatin1StringView(id));
-    return action != nullptr && action->shortcut() == QKeySequence(usualKey(key)) ? action : nullptr;
 }
 
 void MainWindow::applyPreferences()

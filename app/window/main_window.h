@@ -1,4 +1,4 @@
-// The window: connects what it shows with what it works on, takes dropped files and the keys that go by their position.
+// The window: connects what it shows with what it works on, and takes dropped files.
 #pragma once
 
 #include "app/background/journal.h"
@@ -13,7 +13,7 @@
 #include "app/window/clip_commands.h"
 #include "app/window/focus_return.h"
 #include "app/window/live_preferences.h"
-#include "app/window/physical_keys.h"
+#include "app/window/position_keys.h"
 #include "app/window/window_dialogs.h"
 
 #include <QMainWindow>
@@ -88,12 +88,6 @@ private:
     /// Called when restored work has been kept elsewhere.
     void forgetRestored();
 
-    /// Alt and a digit: strands take that map's colours while both are held.
-    void lookAt(std::optional<model::MapKind> map);
-    /// Brackets and digits go by their position on the keyboard, since many layouts can't type them: the action that
-    /// has that key, null where it has been given another.
-    [[nodiscard]] QAction* actionAt(PhysicalKey key) const;
-
     std::unique_ptr<Settings> m_ownSettings;
     Settings& m_settings;
     Session m_session;
@@ -111,6 +105,7 @@ private:
     DialogPositions m_dialogPositions;
 
     Workspace* m_workspace = nullptr;
+    std::unique_ptr<PositionKeys> m_keys;
     FileMenu* m_fileMenu = nullptr;
 };
 

@@ -2,6 +2,7 @@
 // shown.
 #include "model/document/document.h"
 
+#include "model/document/command_ptr.h"
 #include "model/document/groom_input.h"
 #include "model/document/restored_step.h"
 #include "model/document/running_edit.h"

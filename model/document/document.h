@@ -20,7 +20,7 @@
 
 namespace hairpaint::model {
 
-/// Lives on the GUI thread. Content changes only through undo commands (commands.h) and the previews of edit
+/// Lives on the GUI thread. Content changes only through undo commands (command_ptr.h) and the previews of edit
 /// sessions; both take the same path, so a preview gives the bytes of its commit.
 class Document : public QObject
 {

@@ -1,7 +1,7 @@
 // The undo command behind every change but painting: it runs an edit once and keeps what the edit changed.
 #pragma once
 
-#include "model/document/commands.h"
+#include "model/document/paint_command.h"
 
 #include <functional>
 #include <vector>

@@ -1,4 +1,6 @@
 // Groups added, removed, renamed, moved, shown and replaced by a preset's.
+#include "model/document/group_commands.h"
+
 #include "model/document/command_texts.h"
 #include "model/document/edit_command.h"
 #include "model/document/range_change.h"

@@ -2,6 +2,7 @@
 #include "model/document/hair_type_command.h"
 
 #include "model/document/edit_command.h"
+#include "model/document/group_commands.h"
 #include <algorithm>
 
 namespace hairpaint::model {

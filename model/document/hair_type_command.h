@@ -1,7 +1,7 @@
 // A hair type chosen for a group, as a step of undo.
 #pragma once
 
-#include "model/document/commands.h"
+#include "model/document/command_ptr.h"
 #include "model/project/hair_types.h"
 
 namespace hairpaint::model {

@@ -1,4 +1,6 @@
 // Layers added, removed, moved and changed.
+#include "model/document/layer_commands.h"
+
 #include "model/document/command_texts.h"
 #include "model/document/edit_command.h"
 #include "model/maps/image_resample.h"

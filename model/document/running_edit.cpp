@@ -1,5 +1,6 @@
 // Previews put over committed content, and the commands that give the same.
 #include "model/document/running_edit.h"
+#include "model/document/paint_command.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,7 @@
 // The preview of a running edit session, as the document holds it.
 #pragma once
 
+#include "model/document/command_ptr.h"
 #include "model/document/edit_command.h"
 #include "model/patches/project_patches.h"
 

@@ -1,6 +1,9 @@
 // Wind, light, background, skin, what is worn and the head.
+#include "model/document/scene_commands.h"
+
 #include "model/document/command_texts.h"
 #include "model/document/edit_command.h"
+#include "model/document/paint_command.h"
 #include "model/styles/worn_transfer.h"
 
 namespace hairpaint::model {

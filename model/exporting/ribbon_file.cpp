@@ -5,7 +5,7 @@
 #include "model/exporting/ribbon.h"
 #include "model/exporting/ribbon_json.h"
 #include "model/exporting/worn_body.h"
-#include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Chunks, accessors and buffer views of the subset of binary glTF that heads are kept in: see "head.glb" in
+// Reading chunks, accessors and buffer views of the subset of binary glTF that heads are kept in: see "head.glb" in
 // model/files/hairpaint_format.md.
 // Any thread. Errors: clauses for a sentence of sentences.h; every index and size is checked.
 #pragma once
@@ -8,7 +8,9 @@
 #include "model/values/sentences.h"
 
 #include <QByteArray>
-#include <QJsonObject>
+
+#include <memory>
+#include <vector>
 
 namespace hairpaint::model {
 
@@ -23,12 +25,5 @@ struct GlbParts
     std::shared_ptr<const sim::MeshTexture> texture;
 };
 [[nodiscard]] Checked<GlbParts> partsFromGlb(const QByteArray& glb);
-/// Of a mesh whose first part is the head, with the parts after it as meshes of their own. The same mesh gives the same
-/// bytes.
-[[nodiscard]] QByteArray glbFromMesh(const RiggedMesh& mesh);
-/// Of 8 bits a channel, without alpha where all of it is opaque.
-[[nodiscard]] QByteArray pngOfTexture(const sim::MeshTexture& texture);
-/// All of a binary glTF but its binary chunk's `binBytes` bytes, a multiple of 4, which follow.
-[[nodiscard]] QByteArray glbHead(const QJsonObject& json, quint32 binBytes);
 
 } // namespace hairpaint::model

@@ -1,5 +1,5 @@
 // Writing our subset of binary glTF (Khronos, glTF 2.0 specification, sections 3 to 5).
-#include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 
 #include "model/files/glb_container.h"
 #include "model/files/joint_nodes.h"

@@ -123,7 +123,7 @@ sim::HeadMesh shownMesh(const sim::HeadMesh& carrying, const QString& resource)
     return sim::subdivided(carrying, builtInDisplacements(resource + QStringLiteral(".displacement")));
 }
 
-std::shared_ptr<const Head> loadBuiltIn(const heads::BuiltInHead& row)
+std::shared_ptr<const Head> loadBuiltIn(const heads::HeadRow& row)
 {
     registerHeads();
     auto head = std::make_shared<Head>();
@@ -145,10 +145,10 @@ std::shared_ptr<const Head> loadBuiltIn(const heads::BuiltInHead& row)
     return head;
 }
 
-std::shared_ptr<const Head> loaded(const heads::BuiltInHead& row)
+std::shared_ptr<const Head> loaded(const heads::HeadRow& row)
 {
     static std::mutex mutex;
-    static std::map<const heads::BuiltInHead*, std::shared_ptr<const Head>> heads;
+    static std::map<const heads::HeadRow*, std::shared_ptr<const Head>> heads;
     const std::scoped_lock lock(mutex);
     std::shared_ptr<const Head>& head = heads[&row];
     if (!head)
@@ -210,7 +210,7 @@ void takeToSkin(sim::HeadLandmarks& landmarks, const sim::Skin& skin)
 double scalpFractionOf(const Head& head)
 {
     constexpr std::size_t kMostFaces = 5000; // A percent of error is as good as none.
-    const heads::BuiltInHead& row = *heads::builtInHeads().front();
+    const heads::HeadRow& row = *heads::headRows().front();
     const sim::Skin& known = *builtInHead()->skin;
     const sim::HeadWarp warp(*head.landmarks, row.landmarks);
     const std::size_t faces = head.skin->mesh().triangles.size();
@@ -233,12 +233,12 @@ double scalpFractionOf(const Head& head)
 
 std::shared_ptr<const Head> builtInHead()
 {
-    return loaded(*heads::builtInHeads().front());
+    return loaded(*heads::headRows().front());
 }
 
 Checked<std::shared_ptr<const Head>> builtInHead(const QString& name)
 {
-    if (const heads::BuiltInHead* row = heads::findBuiltInHead(name.toStdString()))
+    if (const heads::HeadRow* row = heads::findHeadRow(name.toStdString()))
         return loaded(*row);
     return refuse(say(QT_TRANSLATE_NOOP("Files", "its head '%1' is not known to this one")).arg(shownPath(name)),
                   Clause::Cure::NewerProgram);
@@ -246,15 +246,15 @@ Checked<std::shared_ptr<const Head>> builtInHead(const QString& name)
 
 std::vector<sim::Ellipsoid> builtInEllipsoids(const QString& name)
 {
-    const heads::BuiltInHead* named = heads::findBuiltInHead(name.toStdString());
-    const heads::BuiltInHead* row = named != nullptr ? named : heads::builtInHeads().front();
+    const heads::HeadRow* named = heads::findHeadRow(name.toStdString());
+    const heads::HeadRow* row = named != nullptr ? named : heads::headRows().front();
     return {row->colliders.begin(), row->colliders.end()};
 }
 
 std::vector<NamedHead> builtInHeads()
 {
     std::vector<NamedHead> named;
-    for (const heads::BuiltInHead* row : heads::builtInHeads())
+    for (const heads::HeadRow* row : heads::headRows())
         named.push_back(
             {.name = QString::fromUtf8(row->name), .title = QCoreApplication::translate("Heads", row->title)});
     return named;

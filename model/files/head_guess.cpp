@@ -12,8 +12,8 @@ namespace hairpaint::model {
 
 namespace {
 
-/// Where the surface of an open mesh looks as a whole: away from its opening. Of unit length where all of it looks one
-/// way; short where the mesh is closed.
+/// Where the surface of an open mesh looks as a whole: away from its opening. Of unit length where all of it looks in
+/// one direction; short where the mesh is closed.
 glm::vec3 opennessOf(const sim::HeadMesh& mesh)
 {
     glm::dvec3 sum(0.0);

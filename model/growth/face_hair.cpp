@@ -89,7 +89,7 @@ constexpr std::array kFaceGroups{
 /// Paints density and length where something grows.
 void paint(HairGroup& group, const FaceGroup& what, const Head& head)
 {
-    const heads::HeadRegions& regions = heads::builtInHeads().front()->regions;
+    const heads::HeadRegions& regions = heads::headRows().front()->regions;
     sim::TiledRaster& density = group.map(MapKind::Density).layers.front().raster;
     sim::TiledRaster& length = group.map(MapKind::Length).layers.front().raster;
     // Faces whose vertices lie near by are enough: what grows is wider than they are.

@@ -179,23 +179,23 @@ void HairHandles::look()
     set(HandleKind::Length, true);
     if (m_head == nullptr || m_head->skin == nullptr || !m_head->landmarks)
         return;
-    m_places.emplace(*m_head->landmarks);
+    m_regions.emplace(*m_head->landmarks);
     const sim::Skin& skin = *m_head->skin;
     const Spots spots(m_base, m_density, m_length, m_direction);
     std::vector<std::optional<Spot>> fringe;
     for (const float backM : {0.006F, 0.016F, 0.028F})
         for (const float leftM : {-0.03F, -0.015F, 0.0F, 0.015F, 0.03F}) {
             const glm::vec3 away(leftM, 0.4F * backM, -backM - 0.25F * std::abs(leftM) - 4.0F * leftM * leftM);
-            fringe.push_back(spots.at(skin.nearest(m_places->hairlineHd() + away * m_places->scale()).uv));
+            fringe.push_back(spots.at(skin.nearest(m_regions->hairlineHd() + away * m_regions->scale()).uv));
         }
     set(HandleKind::Fringe, growsLoose(fringe, kFringeM));
     std::vector<std::optional<Spot>> top;
     for (const float side : {-1.0F, 0.0F, 1.0F})
-        for (const sim::SurfacePoint& point : m_places->partLine(skin, side))
+        for (const sim::SurfacePoint& point : m_regions->partLine(skin, side))
             top.push_back(spots.at(point.uv));
     set(HandleKind::Part, wholeLayer(m_base.map(MapKind::Direction)) != nullptr && growsLoose(top, kPartedM));
 
-    m_columns.emplace(skin, *m_places, *m_length);
+    m_columns.emplace(skin, *m_regions, *m_length);
     float lowM = 0.0F;
     float highM = 0.0F;
     constexpr std::array kDegrees{120.0F, 140.0F, 160.0F, 175.0F};
@@ -204,17 +204,17 @@ void HairHandles::look()
         const auto lengthAt = [&](float heightM) {
             return sim::lengthOf(m_base.settings, m_columns->at(angle, heightM)) / static_cast<float>(kDegrees.size());
         };
-        lowM += lengthAt(m_places->napeM() + 0.012F * m_places->scale());
-        highM += lengthAt(m_places->topM() - 0.015F * m_places->scale());
+        lowM += lengthAt(m_regions->napeM() + 0.012F * m_regions->scale());
+        highM += lengthAt(m_regions->topM() - 0.015F * m_regions->scale());
     }
     // Between the nape and the ears' height; an undercut is shaved there.
     bool growsLow = false;
     for (const float upM : {0.025F, 0.04F, 0.055F}) {
-        const float heightM = m_places->napeM() + upM * m_places->scale();
-        const auto point = skin.pick(m_places->rayAt(std::numbers::pi_v<float>, heightM));
+        const float heightM = m_regions->napeM() + upM * m_regions->scale();
+        const auto point = skin.pick(m_regions->rayAt(std::numbers::pi_v<float>, heightM));
         growsLow = growsLow || (point && m_density->sampleScalar(point->uv) > 0.0F);
     }
-    set(HandleKind::Fade, growsLow && lowM < kClippedM * m_places->scale() && highM > kFades * lowM);
+    set(HandleKind::Fade, growsLow && lowM < kClippedM * m_regions->scale() && highM > kFades * lowM);
 }
 
 HandledHair HairHandles::at(const HandleValues& values)
@@ -250,16 +250,16 @@ LengthFactors HairHandles::factors(const HandleValues& values)
         return static_cast<float>(has(kind) ? std::clamp(values[kind], spec.least, spec.greatest) : spec.usual);
     };
     const float fringe = valueOf(HandleKind::Fringe);
-    const float fadeM = valueOf(HandleKind::Fade) * m_places->scale();
+    const float fadeM = valueOf(HandleKind::Fade) * m_regions->scale();
     LengthFactors all;
     if (fringe != 1.0F)
-        all.multiply(*m_frames, [&](glm::vec3 rootHd) { return 1.0F + (fringe - 1.0F) * m_places->fringe(rootHd); });
+        all.multiply(*m_frames, [&](glm::vec3 rootHd) { return 1.0F + (fringe - 1.0F) * m_regions->fringe(rootHd); });
     if (fadeM != 0.0F)
         all.multiply(*m_frames, [&](glm::vec3 rootHd) {
-            const float weight = m_places->faded(rootHd);
+            const float weight = m_regions->faded(rootHd);
             if (weight == 0.0F)
                 return 1.0F;
-            const float angle = m_places->angle(rootHd);
+            const float angle = m_regions->angle(rootHd);
             const float before = m_columns->at(angle, rootHd.y);
             return before <= 0.0F
                        ? 1.0F
@@ -281,8 +281,8 @@ SharedStack HairHandles::parted(PartSide side)
         m_frames = std::make_unique<SkinFrames>(m_head->skin);
     const float aside = side == PartSide::Left ? 1.0F : side == PartSide::Right ? -1.0F : 0.0F;
     PartLook look = kPartLook;
-    look.reachM *= m_places->scale();
-    PartCurve curve = ledToHairline(*m_head->skin, m_places->partLine(*m_head->skin, aside), *m_density, look);
+    look.reachM *= m_regions->scale();
+    PartCurve curve = ledToHairline(*m_head->skin, m_regions->partLine(*m_head->skin, aside), *m_density, look);
     const PartField field(*m_frames, std::move(curve), look);
     SharedStack stack = base;
     Layer& layer = stack.write().layers.back();

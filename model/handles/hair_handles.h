@@ -93,7 +93,7 @@ private:
     sim::MapRaster m_density, m_direction, m_length;
     std::array<bool, kHandleCount> m_has{};
     std::unique_ptr<SkinFrames> m_frames;
-    std::optional<HeadPlaces> m_places;
+    std::optional<HandleRegions> m_regions;
     std::optional<FadeColumns> m_columns;
     std::array<std::optional<SharedStack>, 4> m_parted; ///< By PartSide, once it was asked for.
 };

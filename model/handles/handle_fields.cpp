@@ -45,7 +45,7 @@ bool isPlain(const Layer& layer)
 
 } // namespace
 
-HeadPlaces::HeadPlaces(const sim::HeadLandmarks& landmarks) : m_landmarks(landmarks)
+HandleRegions::HandleRegions(const sim::HeadLandmarks& landmarks) : m_landmarks(landmarks)
 {
     const glm::vec3 left = landmarks[HeadLandmark::EarLeft];
     const glm::vec3 right = landmarks[HeadLandmark::EarRight];
@@ -53,7 +53,7 @@ HeadPlaces::HeadPlaces(const sim::HeadLandmarks& landmarks) : m_landmarks(landma
     m_axisHd = 0.5F * (left + right) - glm::vec3(0.0F, 0.0F, 0.0036F * m_scale);
 }
 
-float HeadPlaces::fringe(glm::vec3 rootHd) const
+float HandleRegions::fringe(glm::vec3 rootHd) const
 {
     // The hairline goes back to the sides.
     const glm::vec3 from = (rootHd - hairlineHd()) / m_scale;
@@ -62,24 +62,24 @@ float HeadPlaces::fringe(glm::vec3 rootHd) const
     return within(0.046F, 0.060F, aside) * within(0.046F, 0.062F, behind) * within(0.012F, 0.030F, -from.y);
 }
 
-float HeadPlaces::faded(glm::vec3 rootHd) const
+float HandleRegions::faded(glm::vec3 rootHd) const
 {
     constexpr float kDegree = std::numbers::pi_v<float> / 180.0F;
     return (1.0F - within(40.0F * kDegree, 60.0F * kDegree, angle(rootHd))) *
            within(topM() - 0.045F * m_scale, topM() - 0.020F * m_scale, rootHd.y);
 }
 
-float HeadPlaces::angle(glm::vec3 rootHd) const
+float HandleRegions::angle(glm::vec3 rootHd) const
 {
     return std::atan2(std::abs(rootHd.x - m_axisHd.x), rootHd.z - m_axisHd.z);
 }
 
-sim::RayHd HeadPlaces::rayAt(float angle, float heightM) const
+sim::RayHd HandleRegions::rayAt(float angle, float heightM) const
 {
     return {.originHd = {m_axisHd.x, heightM, m_axisHd.z}, .directionHd = {std::sin(angle), 0.0F, std::cos(angle)}};
 }
 
-std::vector<sim::SurfacePoint> HeadPlaces::partLine(const sim::Skin& skin, float side) const
+std::vector<sim::SurfacePoint> HandleRegions::partLine(const sim::Skin& skin, float side) const
 {
     constexpr int kPoints = 10;
     constexpr float kAsideM = 0.032F;
@@ -98,9 +98,9 @@ std::vector<sim::SurfacePoint> HeadPlaces::partLine(const sim::Skin& skin, float
     return points;
 }
 
-FadeColumns::FadeColumns(const sim::Skin& skin, const HeadPlaces& places, const sim::TiledRaster& length)
-    : m_lowestM(places.napeM() - kBelowNapeM * places.scale()), m_stepM(kRowStepM * places.scale()),
-      m_rows(std::max(2, static_cast<int>((places.topM() - m_lowestM) / m_stepM) + 1)),
+FadeColumns::FadeColumns(const sim::Skin& skin, const HandleRegions& regions, const sim::TiledRaster& length)
+    : m_lowestM(regions.napeM() - kBelowNapeM * regions.scale()), m_stepM(kRowStepM * regions.scale()),
+      m_rows(std::max(2, static_cast<int>((regions.topM() - m_lowestM) / m_stepM) + 1)),
       m_values(static_cast<std::size_t>(m_rows) * kColumns)
 {
     sim::parallelFor(kColumns, 4, [&](std::size_t begin, std::size_t end) {
@@ -108,7 +108,7 @@ FadeColumns::FadeColumns(const sim::Skin& skin, const HeadPlaces& places, const 
             const float angle = std::numbers::pi_v<float> * static_cast<float>(column) / (kColumns - 1);
             float last = 0.0F;
             for (int row = m_rows - 1; row >= 0; --row) { // What misses the head is as what lies above it.
-                const auto point = skin.pick(places.rayAt(angle, m_lowestM + m_stepM * static_cast<float>(row)));
+                const auto point = skin.pick(regions.rayAt(angle, m_lowestM + m_stepM * static_cast<float>(row)));
                 if (point)
                     last = length.sampleScalar(point->uv);
                 m_values[column * static_cast<std::size_t>(m_rows) + static_cast<std::size_t>(row)] = last;

@@ -10,10 +10,10 @@
 namespace hairpaint::model {
 
 /// Regions of a head by its landmarks; distances scale with the head. Hd, m. Immutable.
-class HeadPlaces
+class HandleRegions
 {
 public:
-    explicit HeadPlaces(const sim::HeadLandmarks& landmarks);
+    explicit HandleRegions(const sim::HeadLandmarks& landmarks);
 
     /// 0..1: how much a root belongs to the fringe: from the middle of the hairline some 5 cm back and to both sides.
     [[nodiscard]] float fringe(glm::vec3 rootHd) const;
@@ -44,7 +44,7 @@ class FadeColumns
 {
 public:
     /// `length`: of the length map, one channel.
-    FadeColumns(const sim::Skin& skin, const HeadPlaces& places, const sim::TiledRaster& length);
+    FadeColumns(const sim::Skin& skin, const HandleRegions& regions, const sim::TiledRaster& length);
     /// 0..1 of the map's range.
     [[nodiscard]] float at(float angle, float heightM) const;
 

@@ -6,16 +6,16 @@
 
 namespace hairpaint::heads {
 
-std::span<const BuiltInHead* const> builtInHeads()
+std::span<const HeadRow* const> headRows()
 {
     static const std::array heads = {&bust2(), &bust1()};
     return heads;
 }
 
-const BuiltInHead* findBuiltInHead(std::string_view name)
+const HeadRow* findHeadRow(std::string_view name)
 {
-    const std::span<const BuiltInHead* const> heads = builtInHeads();
-    const auto found = std::ranges::find(heads, name, &BuiltInHead::name);
+    const std::span<const HeadRow* const> heads = headRows();
+    const auto found = std::ranges::find(heads, name, &HeadRow::name);
     return found != heads.end() ? *found : nullptr;
 }
 

@@ -13,7 +13,8 @@
 
 namespace hairpaint::heads {
 
-struct BuiltInHead
+/// Whose mesh and skin model/files/head_file.h reads.
+struct HeadRow
 {
     std::string_view name;  ///< In project files; a row is frozen once a file may name it.
     const char* title = ""; ///< To be translated in context "Heads".
@@ -26,13 +27,12 @@ struct BuiltInHead
 };
 
 /// The default first.
-[[nodiscard]] std::span<const BuiltInHead* const> builtInHeads();
+[[nodiscard]] std::span<const HeadRow* const> headRows();
 
 /// Null for a name that none of them has.
-[[nodiscard]] const BuiltInHead* findBuiltInHead(std::string_view name);
+[[nodiscard]] const HeadRow* findHeadRow(std::string_view name);
 
-/// The rows.
-[[nodiscard]] const BuiltInHead& bust1();
-[[nodiscard]] const BuiltInHead& bust2();
+[[nodiscard]] const HeadRow& bust1();
+[[nodiscard]] const HeadRow& bust2();
 
 } // namespace hairpaint::heads

@@ -39,22 +39,22 @@ constexpr sim::HeadLandmarks kLandmarks{.positionsHd = {{{0.0F, 0.11097F, -0.037
 
 } // namespace
 
-const BuiltInHead& bust1()
+const HeadRow& bust1()
 {
-    static const BuiltInHead head{.name = "bust-1",
-                                  .title = QT_TRANSLATE_NOOP("Heads", "Mannequin of version 0.1"),
-                                  .landmarks = kLandmarks,
-                                  .regions = HeadRegions({.hairline = bust::kHairline,
-                                                          .beardline = bust::kBeardline,
-                                                          .browline = kBrowline,
-                                                          .lashline = {},
-                                                          .earCentre = bust::kEarCentre,
-                                                          .earFlareDegrees = 28.0F,
-                                                          .earTiltDegrees = 12.0F,
-                                                          .lipsCentre = {0.0F, -0.0708F, 0.0850F},
-                                                          .neckBelowY = bust::kNeckBelowY}),
-                                  .colliders = kColliders,
-                                  .scalpFraction = 0.1979};
+    static const HeadRow head{.name = "bust-1",
+                              .title = QT_TRANSLATE_NOOP("Heads", "Mannequin of version 0.1"),
+                              .landmarks = kLandmarks,
+                              .regions = HeadRegions({.hairline = bust::kHairline,
+                                                      .beardline = bust::kBeardline,
+                                                      .browline = kBrowline,
+                                                      .lashline = {},
+                                                      .earCentre = bust::kEarCentre,
+                                                      .earFlareDegrees = 28.0F,
+                                                      .earTiltDegrees = 12.0F,
+                                                      .lipsCentre = {0.0F, -0.0708F, 0.0850F},
+                                                      .neckBelowY = bust::kNeckBelowY}),
+                              .colliders = kColliders,
+                              .scalpFraction = 0.1979};
     return head;
 }
 

@@ -47,22 +47,22 @@ constexpr sim::HeadLandmarks kLandmarks{.positionsHd = {{{0.0F, 0.11024F, -0.036
 
 } // namespace
 
-const BuiltInHead& bust2()
+const HeadRow& bust2()
 {
-    static const BuiltInHead head{.name = "bust-2",
-                                  .title = QT_TRANSLATE_NOOP("Heads", "Display bust"),
-                                  .landmarks = kLandmarks,
-                                  .regions = HeadRegions({.hairline = bust::kHairline,
-                                                          .beardline = bust::kBeardline,
-                                                          .browline = kBrowline,
-                                                          .lashline = kLashline,
-                                                          .earCentre = bust::kEarCentre,
-                                                          .earFlareDegrees = 33.0F,
-                                                          .earTiltDegrees = -7.0F,
-                                                          .lipsCentre = {0.0F, -0.0690F, 0.0840F},
-                                                          .neckBelowY = bust::kNeckBelowY}),
-                                  .colliders = kColliders,
-                                  .scalpFraction = 0.2286};
+    static const HeadRow head{.name = "bust-2",
+                              .title = QT_TRANSLATE_NOOP("Heads", "Display bust"),
+                              .landmarks = kLandmarks,
+                              .regions = HeadRegions({.hairline = bust::kHairline,
+                                                      .beardline = bust::kBeardline,
+                                                      .browline = kBrowline,
+                                                      .lashline = kLashline,
+                                                      .earCentre = bust::kEarCentre,
+                                                      .earFlareDegrees = 33.0F,
+                                                      .earTiltDegrees = -7.0F,
+                                                      .lipsCentre = {0.0F, -0.0690F, 0.0840F},
+                                                      .neckBelowY = bust::kNeckBelowY}),
+                              .colliders = kColliders,
+                              .scalpFraction = 0.2286};
     return head;
 }
 

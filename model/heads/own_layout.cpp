@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kMargin = 0.004F; ///< Between charts, of the map's side.
 
-/// Triangles that hang together and look the same way.
+/// Triangles that hang together and look in the same direction.
 struct Chart
 {
     std::vector<std::size_t> triangles;

@@ -5,7 +5,7 @@
 
 namespace hairpaint::model {
 
-/// Another layout: the mesh cut into charts that look about one way along an axis, laid flat side by side at one scale.
+/// Another layout: the mesh cut into charts that look along about the same axis, laid flat side by side at one scale.
 /// No two points share a texel but where a chart folds. Of a mesh without parts.
 [[nodiscard]] RiggedMesh withOwnLayout(const RiggedMesh& source);
 

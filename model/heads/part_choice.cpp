@@ -32,14 +32,14 @@ bool isNamedAsOther(const MeshPart& part)
 }
 
 /// A position to a hundred thousandth of the mesh.
-using Place = std::tuple<int, int, int>;
-struct PlaceHash
+using GridCell = std::tuple<int, int, int>;
+struct GridCellHash
 {
-    std::size_t operator()(const Place& place) const
+    std::size_t operator()(const GridCell& cell) const
     {
         const auto word = [](int number) { return static_cast<std::size_t>(static_cast<std::uint32_t>(number)); };
-        return (word(std::get<0>(place)) * 0x9E3779B1U) ^ (word(std::get<1>(place)) * 0x85EBCA77U << 1U) ^
-               (word(std::get<2>(place)) * 0xC2B2AE3DU << 2U);
+        return (word(std::get<0>(cell)) * 0x9E3779B1U) ^ (word(std::get<1>(cell)) * 0x85EBCA77U << 1U) ^
+               (word(std::get<2>(cell)) * 0xC2B2AE3DU << 2U);
     }
 };
 
@@ -104,7 +104,7 @@ private:
         }
         return best;
     }
-    [[nodiscard]] Place placeOf(const glm::vec3& position)
+    [[nodiscard]] GridCell cellOf(const glm::vec3& position)
     {
         if (m_cell == 0.0F) {
             const glm::vec3 size = sim::boundsOf(m_source).size();
@@ -118,17 +118,17 @@ private:
     bool addNeighbours(const std::vector<std::size_t>& candidates)
     {
         constexpr std::size_t kSeam = 4; // Vertices that two parts have in common at least.
-        std::unordered_set<Place, PlaceHash> places;
+        std::unordered_set<GridCell, GridCellHash> cells;
         for (std::size_t part = 0; part < m_ranges.size(); ++part)
             for (std::size_t v = 0; m_uses[part] == PartUse::Grows && v < m_ranges[part].vertices; ++v)
-                places.insert(placeOf(m_source.positionsHd[m_ranges[part].firstVertex + v]));
+                cells.insert(cellOf(m_source.positionsHd[m_ranges[part].firstVertex + v]));
         bool any = false;
         for (const std::size_t part : candidates) {
             if (m_uses[part] == PartUse::Grows)
                 continue;
             std::size_t shared = 0;
             for (std::size_t v = 0; shared < kSeam && v < m_ranges[part].vertices; ++v)
-                shared += places.contains(placeOf(m_source.positionsHd[m_ranges[part].firstVertex + v])) ? 1 : 0;
+                shared += cells.contains(cellOf(m_source.positionsHd[m_ranges[part].firstVertex + v])) ? 1 : 0;
             if (shared >= kSeam) {
                 m_uses[part] = PartUse::Grows;
                 any = true;

@@ -45,7 +45,7 @@ constexpr Range kPlaitAgreement{0.0F, 0.45F};
 constexpr Range kTwistSteadiness{0.65F, 1.0F};
 constexpr Range kTwistSwing{1.0F, 1.5F};
 constexpr Range kTwistAgreement{0.34F, 0.62F};
-// In a loc strands lie, or all turn one way, and stand all around: .98 to 1 and .02 to .08 in ours.
+// In a loc strands lie, or all turn in one direction, and stand all around: .98 to 1 and .02 to .08 in ours.
 constexpr float kLies = 0.25F;
 constexpr float kLocSteadiness = 0.9F;
 constexpr float kLocAgreement = 0.2F;

@@ -57,7 +57,7 @@ float heldOf(std::span<const glm::vec3> axisHd, float lengthM, const glm::vec3& 
 
 /// In which direction a strand leaves the skin, unit; zero where it has none. Hair that turns has turned by its first
 /// stretch already, half as much as by the second. `held`: heldOf.
-glm::vec3 rootWay(std::span<const glm::vec3> axisHd, float lengthM, const glm::vec3& normalHd, float held)
+glm::vec3 rootDirection(std::span<const glm::vec3> axisHd, float lengthM, const glm::vec3& normalHd, float held)
 {
     constexpr float kGoesOn = 0.5F;    ///< Cosine between stretches that are one turn.
     constexpr float kHeldBends = 0.5F; ///< Most of its bend it has by its style, not by its weight.
@@ -143,7 +143,7 @@ std::optional<HeadStrands> strandsOnHead(const ForeignStrands& strands, const Cu
                     continue;
                 const StrandShape shape = measureStrand(pointsHd, scratch);
                 const float held = heldOf(scratch.axisHd, shape.lengthM, root.normalHd);
-                const glm::vec3 directionHd = rootWay(scratch.axisHd, shape.lengthM, root.normalHd, held);
+                const glm::vec3 directionHd = rootDirection(scratch.axisHd, shape.lengthM, root.normalHd, held);
                 if (!(shape.lengthM > kLeastLengthM) || directionHd == glm::vec3(0.0F))
                     continue;
                 StrandLook look = strands.looks[first + i];

@@ -33,9 +33,9 @@ public:
     void update(const Project& project, const HairGroup& group, MapKind map);
     /// The same, where only these tiles of one layer can differ.
     void updateTiles(const Project& project, const LayerAddress& address, std::span<const int> tiles);
-    /// Does at once what is under way. Returns the maps that differ.
+    /// Ends at once what is unfinished. Returns the maps that differ.
     ResolvedMaps::Addresses finish();
-    /// Replaces the maps; what is under way is dropped.
+    /// Replaces the maps; what is unfinished is dropped.
     void replace(ResolvedMaps maps);
 
 private:

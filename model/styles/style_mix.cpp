@@ -21,12 +21,12 @@ namespace {
 constexpr double kHalfMixed = 0.5;
 constexpr double kFull = 65535.0;
 
-sim::GroupSettings mixedSettings(const sim::GroupSettings& from, const sim::GroupSettings& to, double share)
+sim::GroupSettings mixedSettings(const sim::GroupSettings& from, const sim::GroupSettings& to, double fraction)
 {
-    sim::GroupSettings mixed = share < kHalfMixed ? from : to;
+    sim::GroupSettings mixed = fraction < kHalfMixed ? from : to;
     for (const GroupSetting& row : groupSchema())
         if (!row.isSwitch() && row.choices.empty())
-            row.write(mixed, std::lerp(row.read(from), row.read(to), share));
+            row.write(mixed, std::lerp(row.read(from), row.read(to), fraction));
     return mixed;
 }
 
@@ -45,9 +45,9 @@ class TexelMix
 {
 public:
     TexelMix(const MapSpec& spec, const sim::GroupSettings& from, const sim::GroupSettings& to,
-             const sim::GroupSettings& mixed, double share)
-        : m_spec(spec), m_ops(texelOps(spec)), m_mixed(mixed), m_share(share),
-          m_fraction(static_cast<std::uint16_t>(std::lround(share * kFull)))
+             const sim::GroupSettings& mixed, double fraction)
+        : m_spec(spec), m_ops(texelOps(spec)), m_mixed(mixed), m_fraction(fraction),
+          m_fraction16(static_cast<std::uint16_t>(std::lround(fraction * kFull)))
     {
         if (spec.scale == nullptr || !m_ops.continuous)
             return;
@@ -61,9 +61,9 @@ public:
     void operator()(const sim::Texel& from, const sim::Texel& to, std::uint16_t* values) const
     {
         if (m_from.empty()) {
-            m_ops.mix(from, to, std::span(&m_fraction, 1), values);
+            m_ops.mix(from, to, std::span(&m_fraction16, 1), values);
         } else {
-            const double amount = std::lerp(m_from[from[0]], m_to[to[0]], m_share);
+            const double amount = std::lerp(m_from[from[0]], m_to[to[0]], m_fraction);
             *values = static_cast<std::uint16_t>(
                 std::lround(std::clamp(m_spec.scale->fraction(m_mixed, amount), 0.0, 1.0) * kFull));
         }
@@ -73,8 +73,8 @@ private:
     const MapSpec& m_spec;
     const TexelOps& m_ops;
     const sim::GroupSettings& m_mixed;
-    double m_share;
-    std::uint16_t m_fraction;
+    double m_fraction;
+    std::uint16_t m_fraction16;
     std::vector<double> m_from, m_to; ///< What each value of a scalar means in either group.
 };
 
@@ -117,9 +117,9 @@ sim::TiledRaster mixedRaster(const sim::TiledRaster& from, const sim::TiledRaste
 
 } // namespace
 
-HairGroup mixedGroup(const HairGroup& from, HairGroup to, double share, const Head* head)
+HairGroup mixedGroup(const HairGroup& from, HairGroup to, double fraction, const Head* head)
 {
-    const sim::GroupSettings settings = mixedSettings(from.settings, to.settings, share);
+    const sim::GroupSettings settings = mixedSettings(from.settings, to.settings, fraction);
     ResolvedSlots ofFrom;
     ResolvedSlots ofTo;
     for (const MapSpec& spec : mapSpecs()) {
@@ -131,20 +131,20 @@ HairGroup mixedGroup(const HairGroup& from, HairGroup to, double share, const He
         if (stack.sharesWith(before))
             continue; // A part of a style leaves it alone.
         if (!texelOps(spec).continuous) {
-            if (share < kHalfMixed)
+            if (fraction < kHalfMixed)
                 stack = before;
             continue;
         }
         if (!isPainted(before) && !isPainted(stack))
             continue;
-        const TexelMix mix(spec, from.settings, to.settings, settings, share);
+        const TexelMix mix(spec, from.settings, to.settings, settings, fraction);
         const std::size_t slot = sim::indexOf(spec.kind);
         sim::TiledRaster raster = mixedRaster(*ofFrom[slot], *ofTo[slot], spec, mix);
         Layer layer{.id = stack->layers.front().id, .name = stack->layers.front().name, .raster = std::move(raster)};
         stack = MapStack{.kind = spec.kind, .size = stack->size, .layers = {std::move(layer)}};
     }
     to.settings = settings;
-    if (share < kHalfMixed) {
+    if (fraction < kHalfMixed) {
         to.visible = from.visible;
         to.name = from.name;
     }

@@ -20,7 +20,7 @@ namespace hairpaint::model {
 namespace {
 
 constexpr QLatin1StringView kScalp("Scalp"); ///< A HairKind's name.
-constexpr double kHalf = 0.5;                ///< From this share on a style brings what can't be mixed.
+constexpr double kHalf = 0.5;                ///< From this fraction on a style brings what can't be mixed.
 
 constexpr std::array kColourMaps{MapKind::Colour, MapKind::TipColour, MapKind::TipStart};
 constexpr std::array kColourSettings{"material.colour_variation", "variation.grey", "material.tip_from",
@@ -245,7 +245,7 @@ void wearWith(Project& project, const std::vector<Worn>& brought, Id styleGroup,
 
 void applyPreset(Project& project, const Preset& preset, const StyleUse& use)
 {
-    if (use.share <= 0.0)
+    if (use.fraction <= 0.0)
         return;
     const std::optional<std::vector<HairGroup>> styles = carriedGroups(preset.groups, preset.head, project.head);
     const std::vector<Worn> worn =
@@ -254,15 +254,15 @@ void applyPreset(Project& project, const Preset& preset, const StyleUse& use)
         const HairGroup& style = (*styles)[one.style];
         if (one.own && std::ranges::find(use.kept, project.groups[*one.own].id) != use.kept.end())
             continue;
-        const bool takesTies = use.share >= kHalf;
+        const bool takesTies = use.fraction >= kHalf;
         if (use.part != StylePart::All) {
             if (one.own) {
                 const StylePartSpec& part = stylePart(use.part);
                 HairGroup& own = project.groups[*one.own];
                 const HairGroup before = own;
                 putOnPart(project, style, own, part, preset.name);
-                if (use.share < 1.0)
-                    own = mixedGroup(before, std::move(own), use.share, project.head.get());
+                if (use.fraction < 1.0)
+                    own = mixedGroup(before, std::move(own), use.fraction, project.head.get());
                 if (part.worn && takesTies) {
                     std::erase_if(project.worn, [&own](const Worn& thing) { return thing.group == own.id; });
                     wearWith(project, worn, style.id, own.id);
@@ -279,19 +279,20 @@ void applyPreset(Project& project, const Preset& preset, const StyleUse& use)
             wearWith(project, worn, style.id, group.id);
         if (!one.own)
             project.groups.push_back(std::move(group));
-        else if (use.share < 1.0)
+        else if (use.fraction < 1.0)
             project.groups[*one.own] =
-                mixedGroup(project.groups[*one.own], std::move(group), use.share, project.head.get());
+                mixedGroup(project.groups[*one.own], std::move(group), use.fraction, project.head.get());
         else
             project.groups[*one.own] = std::move(group);
     }
 }
 
-QString applyPresetText(const Preset& preset, StylePart part, double share)
+QString applyPresetText(const Preset& preset, StylePart part, double fraction)
 {
     const QString whole = QCoreApplication::translate("StyleParts", stylePart(part).step).arg(shownName(preset.name));
-    return share < 1.0 ? QCoreApplication::translate("StyleParts", "%1, %2%").arg(whole).arg(std::lround(share * 100.0))
-                       : whole;
+    return fraction < 1.0
+               ? QCoreApplication::translate("StyleParts", "%1, %2%").arg(whole).arg(std::lround(fraction * 100.0))
+               : whole;
 }
 
 } // namespace hairpaint::model

@@ -14,7 +14,7 @@ enum class StylePart : std::uint8_t
 {
     All,
     Colour,
-    Cut, ///< Length, where and how densely hair grows, and which way it is combed.
+    Cut, ///< Length, where and how densely hair grows, and in which direction it is combed.
     Curl,
     Ties ///< What is worn in the hair, patches and braids.
 };
@@ -39,7 +39,7 @@ struct StyleUse
     std::vector<Id> kept = {}; ///< Groups of the project that stay, though the style has one of their name.
     /// 0..1: below 1 each group is mixed with the one that it replaces (style_mix.h); ties and groups that the project
     /// has none of come with a half and more.
-    double share = 1.0;
+    double fraction = 1.0;
 };
 
 /// Whether anything of the group's density is above 0.
@@ -56,6 +56,6 @@ struct StyleUse
 /// index in the list, all others stay as they are.
 void applyPreset(Project& project, const Preset& preset, const StyleUse& use = {});
 /// What undo calls it.
-[[nodiscard]] QString applyPresetText(const Preset& preset, StylePart part = StylePart::All, double share = 1.0);
+[[nodiscard]] QString applyPresetText(const Preset& preset, StylePart part = StylePart::All, double fraction = 1.0);
 
 } // namespace hairpaint::model

@@ -17,9 +17,9 @@ constexpr float kStepOfRadius = 0.5F;
 
 glm::vec3 towards(glm::vec3 from, glm::vec3 to, float lengthM)
 {
-    const glm::vec3 way = to - from;
-    const float distance = glm::length(way);
-    return distance > 1e-9F ? from + way * (lengthM / distance) : from + glm::vec3(0.0F, -lengthM, 0.0F);
+    const glm::vec3 offset = to - from;
+    const float distance = glm::length(offset);
+    return distance > 1e-9F ? from + offset * (lengthM / distance) : from + glm::vec3(0.0F, -lengthM, 0.0F);
 }
 
 /// A point of a course and the unit direction in which it goes on.

@@ -1,6 +1,7 @@
 // Copying texels out of a layer and pasting them into one.
 #include "model/tools/clipboard.h"
 
+#include "model/document/paint_command.h"
 #include "model/document/range_change.h"
 #include "model/maps/texel_ops.h"
 #include "model/maps/tile_paint.h"

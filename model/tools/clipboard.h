@@ -1,7 +1,7 @@
 // Cut, copy, fill and paste of the selected texels, inside a map and between maps.
 #pragma once
 
-#include "model/document/commands.h"
+#include "model/document/command_ptr.h"
 #include "model/maps/image_reading.h"
 #include "model/tools/selection.h"
 

@@ -1,7 +1,7 @@
 // Hair held as it lies: what that makes of the direction map and the gel map.
 #pragma once
 
-#include "model/document/commands.h"
+#include "model/document/paint_command.h"
 #include "model/tools/lying_hair.h"
 #include "model/tools/stroke_buffer.h"
 

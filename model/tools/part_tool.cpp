@@ -1,10 +1,7 @@
-// The parting: a curve over the skin that can be edited until it is kept, with hair laid to both sides of it.
-#include "model/tools/fallen_hair.h"
-#include "model/tools/live_edit.h"
-#include "model/tools/part_field.h"
+// The parting: a curve over the skin whose points can be edited until it is kept.
+#include "model/tools/part_edit.h"
 #include "model/tools/picker_tool.h"
 #include "model/tools/tool_list.h"
-#include "sim/base/parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -100,15 +97,8 @@ private:
     void change(Points points, const ToolContext& context);
     bool stepBack(const ToolContext& context);
     void show(const ToolContext& context);
-    void showTiles(const std::vector<int>& tiles, const LiveEdit::MakeTile& make, std::size_t layer);
-    void showLaid(const PartField& field);
-    void showGap(const PartField& field, const ToolContext& context);
 
-    LiveEdit m_edit;
-    std::optional<std::size_t> m_density; ///< Its layer's number in the edit, once there is one.
-    std::unique_ptr<SkinFrames> m_frames; ///< Kept from parting to parting.
-    std::optional<FallenHair> m_before;   ///< How hair lay before this one,
-    sim::MapRaster m_hair;                ///< and where any grew: its density.
+    PartEdit m_edit;
     Points m_points;
     std::vector<Points> m_past; ///< What undo goes back to, the latest last.
     PartCurve m_curve;
@@ -133,18 +123,9 @@ QString PartTool::hint() const
 
 bool PartTool::begin(const ToolContext& context)
 {
-    const Head* head = context.document.project().head.get();
-    if (context.target.map != MapKind::Direction || head == nullptr || head->skin == nullptr)
-        return false;
     // What the context refers to outlives the edit; the context itself does not.
     if (!m_edit.begin(context, title(), [this, kept = ToolContext(context)] { return stepBack(kept); }))
         return false;
-    m_edit.setText(title());
-    if (m_frames == nullptr || !m_frames->isOf(head->skin))
-        m_frames = std::make_unique<SkinFrames>(head->skin);
-    m_before.emplace(context, *m_frames, m_edit.size());
-    m_hair = context.document.resolvedNow(context.target.group, MapKind::Density);
-    m_density.reset();
     m_points.clear();
     m_past.clear();
     m_curve = {};
@@ -307,63 +288,8 @@ bool PartTool::stepBack(const ToolContext& context)
 
 void PartTool::show(const ToolContext& context)
 {
-    const ToolSettings& settings = context.settings;
-    m_curve = PartCurve(m_frames->skin(), m_points);
-    PartLook look{.reachM = settings.partReachM,
-                  .flatness = settings.flatness,
-                  .gapM = settings.partGapM,
-                  .zigzagM = settings.partZigzagM};
-    PartCurve led = m_hair != nullptr ? ledToHairline(m_frames->skin(), m_points, *m_hair, look) : m_curve;
-    const PartField field(*m_frames, std::move(led), look);
-    showLaid(field);
-    showGap(field, context);
-}
-
-/// Several threads make them.
-void PartTool::showTiles(const std::vector<int>& tiles, const LiveEdit::MakeTile& make, std::size_t layer)
-{
-    std::vector<sim::RasterTilePtr> made(tiles.size());
-    sim::parallelFor(tiles.size(), 1, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            made[i] = make(tiles[i], m_edit.before(layer).tile(tiles[i]));
-    });
-    const auto take = [&](int index, const sim::RasterTilePtr& /*before*/) {
-        return made[static_cast<std::size_t>(std::ranges::lower_bound(tiles, index) - tiles.begin())];
-    };
-    m_edit.replace(tiles, take, layer);
-}
-
-void PartTool::showLaid(const PartField& field)
-{
-    const int size = m_edit.size();
-    const auto make = [&](int index, const sim::RasterTilePtr& before) {
-        PartField::LaidTile laid = field.laid(index, size);
-        keepInside(m_edit.clips(), m_edit.before().tileRect(index), laid.mask);
-        return paintTile(m_edit.spec(), m_before->under(index, before, laid.mask), laid.mask,
-                         {.values = laid.values.data()});
-    };
-    const std::vector<int> tiles = field.laidTiles(size);
-    for (const int tile : tiles)
-        m_before->look(tile);
-    showTiles(tiles, make, 0);
-}
-
-/// No hair is painted over what other layers leave there; a layer that adds to them only loses its own.
-void PartTool::showGap(const PartField& field, const ToolContext& context)
-{
-    if (context.settings.partGapM > 0.0F && !m_density)
-        m_density = m_edit.also(context, context.layer(MapKind::Density));
-    if (!m_density)
-        return;
-    const std::size_t layer = *m_density;
-    const int size = m_edit.size(layer);
-    const TilePaint none{.value = {}, .erase = m_edit.blend(layer) != BlendMode::Normal};
-    const auto make = [&](int index, const sim::RasterTilePtr& before) {
-        StrokeBuffer::MaskTile mask = field.gap(index, size);
-        keepInside(m_edit.clips(layer), m_edit.before(layer).tileRect(index), mask);
-        return paintTile(m_edit.spec(layer), before, mask, none);
-    };
-    showTiles(field.gapTiles(size), make, layer);
+    m_curve = PartCurve(m_edit.skin(), m_points);
+    m_edit.show(m_curve, m_points, context);
 }
 
 /// A curve on the layout, in as many pieces as it crosses islands.
@@ -396,7 +322,7 @@ std::vector<OverlayShape> PartTool::overlay() const
     if (m_hover && m_hold == Hold::None) {
         Points points = m_points;
         points.push_back(*m_hover);
-        addOutlines(PartCurve(m_frames->skin(), points), m_points.size() - 1, shapes);
+        addOutlines(PartCurve(m_edit.skin(), points), m_points.size() - 1, shapes);
     }
     OverlayShape handles{.uvOutline = {}, .closed = false};
     for (const sim::SurfacePoint& point : m_points)

@@ -52,7 +52,7 @@ tbb::task_arena::priority priorityOf(Arena arena)
 }
 #endif
 
-/// The threads that the loops of one arena run on. Loops under way keep the pool they began with.
+/// The threads that the loops of one arena run on. Loops that run keep the pool they began with.
 class Pool
 {
 public:

@@ -9,7 +9,7 @@ namespace hairpaint::sim {
 
 /// Calls body(begin, end) for ranges that cover 0..count, each at least `grain` long, on several threads; returns when
 /// all are done. The body must give the same result however the range is cut. What a body throws comes out of the call,
-/// when no range is under way any more; ranges not begun by then may be left out. oneTBB; std::thread in the tsan
+/// when no range runs any more; ranges not begun by then may be left out. oneTBB; std::thread in the tsan
 /// preset.
 void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 

@@ -13,7 +13,7 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr std::size_t kSamples = 17;   ///< Of the part on the scalp.
-constexpr float kLiftM = 0.002F;       ///< Hairs on their way lie on those below them,
+constexpr float kLiftM = 0.002F;       ///< Hairs on their path lie on those below them,
 constexpr float kLiftFraction = 0.05F; ///< and are lifted by this fraction of it: a few nodes must clear a round head.
 constexpr float kPitchRadii = 9.0F;    ///< Length of one turn of equation 3, in its radius r.
 constexpr float kFourPitch = 1.4F;     ///< That of flat plaits, in those of a plait of three.

@@ -48,7 +48,7 @@ inline constexpr float kCornrowAboveRadii = 1.2F;
 /// What a braid is to its hairs, m.
 struct BraidMeasures
 {
-    float scalpM = 0.0F; ///< Of the hair's own way to it,
+    float scalpM = 0.0F; ///< Of the hair's own path to it,
     float lengthM = 0.0F;
     float radiusM = 0.0F; ///< r of equation 3.
 };

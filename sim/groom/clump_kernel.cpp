@@ -11,8 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
 
-/// How far two hairs go the same way, 0..1.
-HWY_INLINE Lanes sameWay(const Lanes3& a, const Lanes3& b)
+/// How far two hairs have the same direction, 0..1.
+HWY_INLINE Lanes alignment(const Lanes3& a, const Lanes3& b)
 {
     const Lanes product = root(dot(a, a) * dot(b, b));
     const Lanes cosine = dot(a, b) / most(product, 1e-20F);
@@ -74,8 +74,8 @@ HWY_INLINE void clumpFrom(ClumpTask& task, std::size_t lane)
     const Lanes3 rootHd = loaded3(nodes);
     const Lanes3 basisTip = loaded3(basis + last * StrandBlocks::kNodeStride);
     const Lanes clump =
-        onlyWhere(clumps, row(task.clump) * sameWay(loaded3(nodes + last * StrandBlocks::kNodeStride) - rootHd,
-                                                    basisTip - loaded3(basis)));
+        onlyWhere(clumps, row(task.clump) * alignment(loaded3(nodes + last * StrandBlocks::kNodeStride) - rootHd,
+                                                      basisTip - loaded3(basis)));
     stored(clump, task.clump.data() + lane);
     const Ints laneNumbers = hn::Iota(di, 0);
 

@@ -14,12 +14,12 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr float kLowestHairM = 0.0006F; ///< Of the lowest hair from the skin.
-constexpr float kOutOfRootM = 0.006F;   ///< Way from its root over which a hair comes to its height.
+constexpr float kOutOfRootM = 0.006F;   ///< Length from its root over which a hair comes to its height.
 constexpr float kHalfReachM = 0.06F;    ///< Length of a course that comes to the middle of the layers.
 constexpr float kOwnLayer = 0.25F;      ///< Part of a hair's layer that is by chance.
 constexpr float kTailStepM = 0.01F;
 constexpr std::size_t kTailPoints = 96;
-constexpr float kTailBendM = 0.06F; ///< Way from the ring within which a tail has turned down.
+constexpr float kTailBendM = 0.06F; ///< Length from the ring within which a tail has turned down.
 
 /// A unit vector across a unit vector.
 glm::vec3 anyAcross(glm::vec3 v)
@@ -241,7 +241,7 @@ float GatheredLay::layTail(const Course& course, float freeM, std::span<glm::vec
     const float wholeM = freeM / static_cast<float>(spans);
     layAlong(wholeM);
     if (course.isCore)
-        return freeM; // Of a braid: the same whatever way it comes.
+        return freeM; // Of a braid: the same on every course.
     // Most of it while it bends as it does now; fallen it bends less.
     constexpr float kCounted = 0.8F;
     const float excessM = curveLengthM(nodesHd, ring, nodesHd.size() - 1) - freeM;

@@ -16,8 +16,8 @@ namespace hairpaint::sim {
 
 /// Lays the hair of one tie. Immutable; any thread. Must not outlive the strings.
 ///
-/// A hair goes through the ring at the side from which it comes, and the further out the longer its way: so that hair
-/// from near the ring lies below hair from far away, on the skin and in the ring, and none crosses another.
+/// A hair goes through the ring at the side from which it comes, and the further out the longer its course: so that
+/// hair from near the ring lies below hair from far away, on the skin and in the ring, and none crosses another.
 class GatheredLay
 {
 public:

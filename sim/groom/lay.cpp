@@ -84,7 +84,7 @@ bool Lay::add(const LayRoot& root, float lengthM)
 bool Lay::isBare(const LayRoot& root, float falls, glm::vec3 growth, float gapM) const
 {
     constexpr float kDiverges = 1.0F; ///< Directions on both sides of a parting, by twice their length at most,
-    constexpr float kOneWay = 0.5F;   ///< and less along it; in a whorl they do all around.
+    constexpr float kParallel = 0.5F; ///< and less along it; in a whorl they do all around.
     constexpr float kCrosses = 0.7F;  ///< From that chance on a hair crosses the line all the same.
     if (root.chance > kCrosses || glm::dot(growth, growth) < kStandsBelow * kStandsBelow)
         return false;
@@ -103,7 +103,7 @@ bool Lay::isBare(const LayRoot& root, float falls, glm::vec3 growth, float gapM)
     const float mean = 0.5F * (xx + yy);
     const float half = 0.5F * (xx - yy);
     const float apart = std::sqrt(half * half + xy * xy);
-    if (mean + apart < kDiverges || mean - apart > kOneWay)
+    if (mean + apart < kDiverges || mean - apart > kParallel)
         return false;
     const glm::vec2 axis = half > 0.0F ? glm::vec2(apart + half, xy) : glm::vec2(xy, apart - half);
     const glm::vec3 across = (root.frame.x * axis.x + root.frame.y * axis.y) / std::sqrt(glm::dot(axis, axis));

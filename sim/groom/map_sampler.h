@@ -9,7 +9,7 @@
 
 namespace hairpaint::sim {
 
-/// A map that is the same everywhere is not looked up; the values are the same bits either way.
+/// A map that is the same everywhere is not looked up; the values have the same bits as if it were.
 class MapSampler
 {
 public:

@@ -1,4 +1,4 @@
-// Strings drawn taut over the skin from anywhere on it to one point: the shortest ways there.
+// Strings drawn taut over the skin from anywhere on it to one point: the shortest paths there.
 #pragma once
 
 #include "sim/groom/skin_distance.h"

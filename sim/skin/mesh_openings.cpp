@@ -55,8 +55,8 @@ std::vector<std::pair<unsigned, unsigned>> openEdges(const HeadMesh& mesh)
                     use(from, to);
             }
     };
-    // Directed edges by where they begin, counted, summed up and filled in; the one of the neighbour runs the other
-    // way.
+    // Directed edges by where they begin, counted, summed up and filled in; the one of the neighbour is
+    // reversed.
     std::vector<std::size_t> firstOf(welded.size() + 1, 0);
     eachEdge([&](unsigned from, unsigned /*to*/) { ++firstOf[welded[from] + 1]; });
     std::partial_sum(firstOf.begin(), firstOf.end(), firstOf.begin());

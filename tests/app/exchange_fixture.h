@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/exchange/exchange.h"
-#include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/locations.h"
 #include "tests/support/test_heads.h"

@@ -1,5 +1,5 @@
 // Avatars from the command line: a body's mesh becomes a head, and goes out with its hair.
-#include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "tests/app/program.h"

@@ -1,7 +1,7 @@
 // Files that are missing, cut short, foreign, hostile or too large, given to every verb, and helpers that misbehave:
 // one line on standard error names the file, the code is 1, nothing is written, and it takes neither 20 s nor 2 GB.
 #include "model/files/archive.h"
-#include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "tests/app/program.h"

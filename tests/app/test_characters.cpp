@@ -1,6 +1,6 @@
 // A character of several parts: it comes in by the command line, is drawn, gets hair on its scalp alone, and leaves as
 // an avatar with its parts and their textures.
-#include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "model/files/project_file.h"
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"

@@ -12,13 +12,11 @@
 
 namespace {
 
-/// Headers whose functions are defined in several files: a verb, a command, a tool, a head, a system each.
+/// Headers whose functions are defined in several files: a verb, a tool, a head, a system each.
 const QStringList kOfSeveralSources{QStringLiteral("app/cli/command.h"),
                                     QStringLiteral("app/cli/interruption.h"),
                                     QStringLiteral("model/disk/disk_sync.h"),
                                     QStringLiteral("model/disk/own_folder.h"),
-                                    QStringLiteral("model/document/commands.h"),
-                                    QStringLiteral("model/files/glb.h"),
                                     QStringLiteral("model/files/helper_confinement.h"),
                                     QStringLiteral("model/heads/built_in_heads.h"),
                                     QStringLiteral("model/tools/tool_list.h"),

@@ -1,6 +1,5 @@
 // What comes in from other programs and goes out to them, by the window's menus and dialogs and dropped on it.
 #include "app/styles/library.h"
-#include "model/document/commands.h"
 #include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"

@@ -1,5 +1,5 @@
 // Hair exported from the command line: every format, one group or all, for a program.
-#include "model/document/commands.h"
+#include "model/document/group_commands.h"
 #include "model/exporting/export_format.h"
 #include "model/files/project_file.h"
 #include "tests/app/program.h"

@@ -1,4 +1,6 @@
 // Hair that goes out to other programs by the window's menus and dialogs, and its cards, looked at before.
+#include "model/document/layer_commands.h"
+#include "model/files/glb_writing.h"
 #include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "model/styles/preset.h"

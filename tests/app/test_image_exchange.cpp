@@ -1,5 +1,4 @@
 // Images as maps and maps as images, by the window's menus and dropped on it.
-#include "model/document/commands.h"
 #include "tests/app/exchange_fixture.h"
 #include "tests/support/test_program.h"
 

@@ -1,7 +1,7 @@
 // The window is killed while somebody paints: the file opens, and the next start has all that was in the journal.
 #include "app/background/journal_folder.h"
 #include "app/recovery/recovery_dialog.h"
-#include "model/document/commands.h"
+#include "model/document/paint_command.h"
 #include "model/journal/journal_reader.h"
 #include "model/journal/journal_writer.h"
 #include "tests/app/box_answer.h"

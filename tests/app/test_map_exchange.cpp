@@ -1,7 +1,7 @@
 // Maps for other programs, by the window's menus: images, the sheet, the clipboard, and layers edited elsewhere.
 #include "app/exchange/map_exchange.h"
 #include "app/settings/languages.h"
-#include "model/document/commands.h"
+#include "model/document/layer_commands.h"
 #include "model/exporting/map_images.h"
 #include "model/values/names.h"
 #include "tests/app/exchange_fixture.h"

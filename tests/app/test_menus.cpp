@@ -1,7 +1,7 @@
 // The menus of the real window, where what is on is seen to be on, and its panels.
 #include "app/styles/library.h"
 #include "app/window/main_window.h"
-#include "model/document/commands.h"
+#include "model/document/group_commands.h"
 #include "model/files/project_file.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"

@@ -1,6 +1,8 @@
 // Somebody who knows nothing clicks, drags and types at random: nothing may break, and undo leads back to the start.
 #include "app/session/large_memory.h"
 #include "model/document/edit_command.h"
+#include "model/document/group_commands.h"
+#include "model/document/scene_commands.h"
 #include "model/files/preset_file.h"
 #include "model/styles/preset.h"
 #include "tests/app/program.h"

@@ -1,5 +1,6 @@
 // A project's file that others work on too: nothing of theirs is replaced without a question.
 #include "model/disk/earlier_versions.h"
+#include "model/document/scene_commands.h"
 #include "tests/app/box_answer.h"
 #include "tests/app/window_fixture.h"
 #include "tests/model/archive_maker.h"

@@ -1,5 +1,6 @@
 // After a crash the next start gives the work back, with its steps, from whatever was done in the real window.
 #include "app/styles/library.h"
+#include "model/document/scene_commands.h"
 #include "model/journal/journal_reader.h"
 #include "tests/app/box_answer.h"
 #include "tests/app/recovery_fixture.h"

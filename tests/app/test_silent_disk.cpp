@@ -1,7 +1,7 @@
 // A network folder whose server does not answer: the window lives on, nothing is lost, and another folder can be
 // chosen.
 #include "app/background/journal_folder.h"
-#include "model/document/commands.h"
+#include "model/document/scene_commands.h"
 #include "model/journal/journal_reader.h"
 #include "tests/app/box_answer.h"
 #include "tests/app/window_fixture.h"

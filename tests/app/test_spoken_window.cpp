@@ -3,6 +3,7 @@
 #include "app/session/libraries.h"
 #include "app/styles/library.h"
 #include "app/window/main_window.h"
+#include "model/document/group_commands.h"
 #include "model/styles/hair_kinds.h"
 #include "model/values/names.h"
 #include "tests/support/patience.h"

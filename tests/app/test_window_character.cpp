@@ -1,4 +1,5 @@
 // A character of several parts in the window, by mouse: what comes in, what hair grows on, what is drawn beside it.
+#include "model/files/glb_writing.h"
 #include "tests/app/exchange_fixture.h"
 #include "tests/support/character.h"
 #include "tests/support/test_program.h"

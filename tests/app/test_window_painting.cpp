@@ -1,6 +1,6 @@
 // Painting in the real window is seen: texels, hairs and the 3D picture follow every tool in both areas, while the
 // pointer is down, after undo and redo, and after the project went through its file.
-#include "model/document/commands.h"
+#include "model/document/group_commands.h"
 #include "model/files/layer_files.h"
 #include "model/files/preset_file.h"
 #include "tests/app/window_fixture.h"

@@ -1,4 +1,5 @@
 // Tools, keys, selection, styles and help in the real window, driven by mouse and keys in both areas.
+#include "model/document/layer_commands.h"
 #include "tests/app/window_fixture.h"
 
 #include "app/window/physical_keys.h"

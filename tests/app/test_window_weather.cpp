@@ -1,4 +1,5 @@
 // The Weather overlay in the real window: what its keys change is kept after a pause as one step, or undone whole.
+#include "model/document/scene_commands.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/light_dialog.h"

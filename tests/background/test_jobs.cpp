@@ -1,7 +1,7 @@
 // Work in the background: what it throws becomes a sentence, Cancel ends it, and input meanwhile is lost.
 #include "app/background/heads.h"
 #include "app/background/jobs.h"
-#include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"

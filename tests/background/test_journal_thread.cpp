@@ -1,7 +1,7 @@
 // Steps go from the document to the disk on a thread of the journal's, while the document goes on.
 #include "app/background/journal.h"
 #include "app/background/journal_folder.h"
-#include "model/document/commands.h"
+#include "model/document/paint_command.h"
 #include "model/files/project_file.h"
 #include "model/journal/journal_reader.h"
 #include "tests/support/await.h"

@@ -1,8 +1,9 @@
 // The document is edited while its hair is made and older states of it are saved: each sees its own snapshot whole.
 #include "app/background/jobs.h"
 #include "app/background/map_resolving.h"
-#include "model/document/commands.h"
 #include "model/document/document.h"
+#include "model/document/layer_commands.h"
+#include "model/document/paint_command.h"
 #include "model/files/project_file.h"
 #include "sim/motion/simulation_worker.h"
 #include "tests/support/test_program.h"

@@ -1,6 +1,6 @@
 // What a document costs: ticks of a layer's opacity, steps on top of a long history, and opening a large project.
-#include "model/document/commands.h"
 #include "model/document/document.h"
+#include "model/document/paint_command.h"
 #include "model/files/project_file.h"
 #include "sim/base/deterministic.h"
 

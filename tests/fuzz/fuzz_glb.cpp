@@ -1,6 +1,7 @@
 // Heads in files: a mesh that reads, with its skeleton, can be written and read again, and a small one becomes a head
 // or is refused.
 #include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "model/files/head_file.h"
 #include "sim/skin/head_limits.h"
 #include "tests/fuzz/fuzz_input.h"

@@ -1,5 +1,5 @@
 // Writes the first inputs of the fuzz targets: hairpaint_fuzz_seeds tests/data/fuzz
-#include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "model/files/image_map.h"
 #include "model/files/png_codec.h"
 #include "model/files/project_file.h"

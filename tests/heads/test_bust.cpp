@@ -29,9 +29,9 @@ QByteArray contents(const QString& name)
 }
 
 /// Whose mesh a file is.
-const heads::BuiltInHead& headOf(const QString& file)
+const heads::HeadRow& headOf(const QString& file)
 {
-    return *heads::findBuiltInHead(file.left(6).toStdString());
+    return *heads::findHeadRow(file.left(6).toStdString());
 }
 
 bool isScalp(const tests::GlbMesh& mesh, const std::array<std::uint32_t, 3>& triangle)

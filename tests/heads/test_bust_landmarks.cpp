@@ -20,10 +20,10 @@ using Region = float (heads::HeadRegions::*)(const glm::vec3&) const;
 constexpr std::array<Region, 3> kRegions = {&heads::HeadRegions::scalpDistance, &heads::HeadRegions::browDistance,
                                             &heads::HeadRegions::beardDistance};
 
-const heads::BuiltInHead& head()
+const heads::HeadRow& head()
 {
     QFETCH_GLOBAL(QString, name);
-    return *heads::findBuiltInHead(name.toStdString());
+    return *heads::findHeadRow(name.toStdString());
 }
 
 const heads::HeadRegions& regions()

@@ -1,6 +1,6 @@
 // Foreign meshes through the real helper, and the joining of triangles on its own.
 #include "app/importer/mesh_builder.h"
-#include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "model/files/head_file.h"
 #include "model/files/importer_client.h"
 #include "tests/model/archive_maker.h"

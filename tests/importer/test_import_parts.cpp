@@ -1,5 +1,5 @@
 // Parts of foreign characters through the real helper: names, materials, tiles, textures, and what has no layout.
-#include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "model/files/importer_client.h"
 #include "model/files/part_selection.h"
 #include "model/heads/layout_packing.h"

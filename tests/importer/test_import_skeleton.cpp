@@ -1,5 +1,5 @@
 // Skinned bodies through the real helper.
-#include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "model/files/importer_client.h"
 #include "model/heads/humanoid_bones.h"
 #include "tests/model/archive_maker.h"

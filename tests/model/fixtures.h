@@ -1,8 +1,8 @@
 // Small projects, pointer events and comparisons for tests of the model.
 #pragma once
 
-#include "model/document/commands.h"
 #include "model/document/document.h"
+#include "model/document/layer_commands.h"
 #include "model/tools/selection.h"
 #include "model/tools/tool.h"
 #include "sim/skin/skin.h"

@@ -1,7 +1,7 @@
 // A small project in which nothing has its default, for tests of files.
 #pragma once
 
-#include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "model/files/head_file.h"
 #include "model/project/project.h"
 #include "tests/support/test_heads.h"

@@ -1,4 +1,5 @@
 // Strokes of tip colour over hair: strands are dyed from where they are touched to their tips.
+#include "model/document/layer_commands.h"
 #include "sim/groom/strand_look.h"
 #include "tests/model/side_view.h"
 #include "tests/model/tool_studio.h"

@@ -1,4 +1,8 @@
 // Undo commands: each undone exactly, named as the user knows it, and null where nothing differs.
+#include "model/document/group_commands.h"
+#include "model/document/layer_commands.h"
+#include "model/document/paint_command.h"
+#include "model/document/scene_commands.h"
 #include "model/document/undo_budget.h"
 #include "model/styles/preset.h"
 #include "tests/model/fixtures.h"

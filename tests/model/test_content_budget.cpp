@@ -1,5 +1,6 @@
 // A document takes no more than can be saved, and says so; maps can be made another size.
-#include "model/document/commands.h"
+#include "model/document/layer_commands.h"
+#include "model/document/paint_command.h"
 #include "model/files/group_json.h"
 #include "model/files/project_file.h"
 #include "model/project/content_budget.h"

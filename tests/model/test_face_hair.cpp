@@ -1,6 +1,6 @@
 // Where eyebrows and eyelashes grow.
-#include "model/document/commands.h"
 #include "model/document/document.h"
+#include "model/document/group_commands.h"
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "model/growth/face_hair.h"

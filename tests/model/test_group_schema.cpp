@@ -177,7 +177,7 @@ private Q_SLOTS:
         const sim::GroupSettings& settings = project.groups.front().settings;
         const auto roots =
             sim::buildRoots(project.head->skin, 300'000, static_cast<std::size_t>(settings.basisHairs), 1);
-        const heads::HeadRegions& regions = heads::builtInHeads().front()->regions;
+        const heads::HeadRegions& regions = heads::headRows().front()->regions;
         const auto onScalp = std::ranges::count_if(roots->basisSlot, [&](std::uint32_t slot) {
             return regions.scalpDistance(roots->positionHd[slot]) > 0.0F;
         });

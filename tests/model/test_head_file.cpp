@@ -1,5 +1,6 @@
 // Heads: the built-in one, our subset of binary glTF, and unit and axis of a foreign mesh.
 #include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "model/files/head_file.h"
 #include "model/files/json_fields.h"
 #include "sim/groom/direction_texel.h"

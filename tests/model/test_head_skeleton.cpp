@@ -1,6 +1,7 @@
 // A head's skeleton: its limits, its joints' positions, and head.glb and projects that hold it.
 #include "model/exporting/avatar.h"
 #include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "tests/support/glb_json.h"

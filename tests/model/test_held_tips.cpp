@@ -1,5 +1,5 @@
 // How far the tips of held hair go.
-#include "model/document/commands.h"
+#include "model/document/paint_command.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 #include "model/styles/preset.h"

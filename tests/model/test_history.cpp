@@ -1,4 +1,7 @@
 // The history to the byte: strokes of every tool between commands of every kind, saved, undone, saved, redone, saved.
+#include "model/document/group_commands.h"
+#include "model/document/layer_commands.h"
+#include "model/document/scene_commands.h"
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "model/styles/preset.h"

@@ -1,6 +1,6 @@
 // Files that are cut short, altered, foreign or hostile give one sentence, never a crash and never half a project.
 #include "model/files/archive.h"
-#include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "model/files/group_json.h"
 #include "model/files/project_file.h"
 #include "tests/model/archive_maker.h"

@@ -1,6 +1,8 @@
 // Maps that are resolved in the background: what is shown meanwhile, and that the end is always the same.
-#include "model/document/commands.h"
 #include "model/document/document.h"
+#include "model/document/group_commands.h"
+#include "model/document/layer_commands.h"
+#include "model/document/paint_command.h"
 #include "sim/base/deterministic.h"
 #include "tests/model/fixtures.h"
 #include "tests/support/allocation_limit.h"

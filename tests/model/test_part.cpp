@@ -1,4 +1,5 @@
 // The parting: what a curve over the skin leaves in the direction and the density map, and how it is edited.
+#include "model/document/layer_commands.h"
 #include "tests/model/parter.h"
 #include "tests/support/test_program.h"
 

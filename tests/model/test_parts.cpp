@@ -1,5 +1,6 @@
 // Characters of several parts: which of them grow hair, their layouts on one map, and the file that keeps them.
 #include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "model/files/head_file.h"
 #include "model/files/part_selection.h"
 #include "model/heads/layout_packing.h"

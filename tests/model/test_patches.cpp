@@ -1,5 +1,8 @@
 // Patches of the accessory map: each is one worn thing, in the same step of the history.
 #include "model/document/gather_command.h"
+#include "model/document/layer_commands.h"
+#include "model/document/paint_command.h"
+#include "model/document/scene_commands.h"
 #include "model/files/project_file.h"
 #include "tests/model/fixtures.h"
 #include "tests/support/test_program.h"

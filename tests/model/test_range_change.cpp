@@ -1,4 +1,5 @@
 // Another range of a map keeps what is painted in its own unit, in every layer and however it is blended.
+#include "model/document/group_commands.h"
 #include "model/document/range_change.h"
 
 #include "model/maps/compositor.h"

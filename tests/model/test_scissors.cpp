@@ -1,4 +1,5 @@
 // Scissors: what a line over the picture leaves in the length map.
+#include "model/document/layer_commands.h"
 #include "model/tools/cut_pieces.h"
 #include "sim/groom/strand_style.h"
 #include "tests/model/side_view.h"

@@ -1,5 +1,6 @@
 // What copies of a project share, what a step of the history costs, and maps resolved by several threads.
-#include "model/document/commands.h"
+#include "model/document/layer_commands.h"
+#include "model/document/paint_command.h"
 #include "model/document/undo_budget.h"
 #include "model/maps/compositor.h"
 #include "sim/base/parallel.h"

@@ -51,7 +51,7 @@ private Q_SLOTS:
     void the_ends_are_both_styles()
     {
         Project whole = wearing("bob", "long-straight", {});
-        Project none = wearing("bob", "long-straight", {.share = 0.0});
+        Project none = wearing("bob", "long-straight", {.fraction = 0.0});
         Project before = newProject();
         applyPreset(before, style("bob"));
         for (const MapSpec& spec : mapSpecs()) {
@@ -73,22 +73,22 @@ private Q_SLOTS:
 
     void lengths_are_mixed_as_lengths_whatever_the_ranges_are_data()
     {
-        QTest::addColumn<double>("share");
-        for (const double share : {0.25, 0.5, 0.8})
-            QTest::newRow(qPrintable(QString::number(share))) << share;
+        QTest::addColumn<double>("fraction");
+        for (const double fraction : {0.25, 0.5, 0.8})
+            QTest::newRow(qPrintable(QString::number(fraction))) << fraction;
     }
     void lengths_are_mixed_as_lengths_whatever_the_ranges_are()
     {
-        QFETCH(double, share);
+        QFETCH(double, fraction);
         const Project bob = wearing("bob", "bob", {});
         const Project straight = wearing("bob", "long-straight", {});
-        const Project mixed = wearing("bob", "long-straight", {.share = share});
+        const Project mixed = wearing("bob", "long-straight", {.fraction = fraction});
         QVERIFY(scalp(bob).settings.greatestLengthM != scalp(straight).settings.greatestLengthM);
         for (int i = 0; i < 200; ++i) {
             const int x = i * 97 % 512;
             const int y = i * 61 % 512;
             const float wantedM =
-                std::lerp(lengthM(scalp(bob), x, y), lengthM(scalp(straight), x, y), static_cast<float>(share));
+                std::lerp(lengthM(scalp(bob), x, y), lengthM(scalp(straight), x, y), static_cast<float>(fraction));
             QVERIFY(std::abs(lengthM(scalp(mixed), x, y) - wantedM) < 2e-5F);
         }
     }
@@ -96,8 +96,8 @@ private Q_SLOTS:
     void ties_and_braids_come_with_a_half()
     {
         const Preset tied = style("high-ponytail");
-        const Project less = wearing("long-straight", "high-ponytail", {.share = 0.4});
-        const Project more = wearing("long-straight", "high-ponytail", {.share = 0.6});
+        const Project less = wearing("long-straight", "high-ponytail", {.fraction = 0.4});
+        const Project more = wearing("long-straight", "high-ponytail", {.fraction = 0.6});
         const auto wornIn = [](const Project& project) {
             return std::ranges::count(project.worn, scalp(project).id, &Worn::group);
         };
@@ -113,7 +113,7 @@ private Q_SLOTS:
     void only_its_colour_at_a_share_leaves_the_cut()
     {
         const Project before = wearing("bob", "bob", {});
-        const Project mixed = wearing("bob", "split-dye", {.part = StylePart::Colour, .share = 0.5});
+        const Project mixed = wearing("bob", "split-dye", {.part = StylePart::Colour, .fraction = 0.5});
         QVERIFY(scalp(mixed).settings.greatestLengthM == scalp(before).settings.greatestLengthM);
         for (const MapKind kind : {MapKind::Length, MapKind::Density, MapKind::Direction})
             QVERIFY(resolveStack(scalp(mixed).map(kind)) == resolveStack(scalp(before).map(kind)));
@@ -124,7 +124,7 @@ private Q_SLOTS:
     {
         const Project from = wearing("bob", "bob", {});
         const Project to = wearing("bob", "ringlets", {});
-        const Project mixed = wearing("bob", "ringlets", {.share = 0.3});
+        const Project mixed = wearing("bob", "ringlets", {.fraction = 0.3});
         for (const GroupSetting& row : groupSchema()) {
             const double a = row.read(scalp(from).settings);
             const double b = row.read(scalp(to).settings);

@@ -1,5 +1,6 @@
 // Styles carried from head to head: what lies where, and what becomes of maps, settings and files.
-#include "model/files/glb.h"
+#include "model/document/scene_commands.h"
+#include "model/files/glb_writing.h"
 #include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
@@ -62,7 +63,7 @@ const Foreign& foreign(bool scan)
 std::vector<glm::vec3> hairlineAndParting()
 {
     const std::shared_ptr<const Head> bust = builtInHead();
-    const heads::HeadRegions& regions = heads::builtInHeads().front()->regions;
+    const heads::HeadRegions& regions = heads::headRows().front()->regions;
     std::vector<glm::vec3> points;
     for (const glm::vec3& p : bust->skin->mesh().positionsHd) {
         const bool hairline = std::abs(regions.scalpDistance(p)) < 0.001F;
@@ -78,7 +79,7 @@ std::vector<glm::vec3> hairlineAndParting()
 HairGroup partedHair(Project& project)
 {
     HairGroup group = makeGroup(project, QStringLiteral("Scalp"), 512);
-    const heads::HeadRegions& regions = heads::builtInHeads().front()->regions;
+    const heads::HeadRegions& regions = heads::headRows().front()->regions;
     sim::TiledRaster& density = group.map(MapKind::Density).layers.front().raster;
     for (int y = 0; y < 512; ++y)
         for (int x = 0; x < 512; ++x) {
@@ -252,7 +253,7 @@ private Q_SLOTS:
         Project project = newProject();
         project.groups = {makeGroup(project, QStringLiteral("Scalp"), 512)};
         sim::TiledRaster& painted = project.groups.front().map(MapKind::Direction).layers.front().raster;
-        const heads::HeadRegions& regions = heads::builtInHeads().front()->regions;
+        const heads::HeadRegions& regions = heads::headRows().front()->regions;
         const glm::vec3 directionHd = glm::normalize(glm::vec3(0.3F, -1.0F, -0.4F));
         std::vector<std::pair<glm::vec3, glm::vec3>> points; // And where hair there goes to.
         for (int y = 0; y < 512; ++y)

@@ -1,4 +1,5 @@
 // Every tool: what is shown while it works is what stays; undo and Esc leave no trace; the selection holds.
+#include "model/document/scene_commands.h"
 #include "model/tools/tool_list.h"
 #include "tests/model/tool_studio.h"
 #include "tests/support/test_program.h"

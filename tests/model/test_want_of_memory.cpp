@@ -1,5 +1,6 @@
 // Wherever memory runs out, files are read and written whole or not at all, and a document keeps its content.
 #include "model/document/document.h"
+#include "model/document/scene_commands.h"
 #include "model/files/project_file.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/fixtures.h"

@@ -1,5 +1,6 @@
 // What is worn: one list with ids, undone, kept in files, and read by contact.
-#include "model/document/commands.h"
+#include "model/document/group_commands.h"
+#include "model/document/scene_commands.h"
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "model/files/project_json.h"

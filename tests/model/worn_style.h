@@ -1,8 +1,8 @@
 // A new project with one of the built-in styles on the bust.
 #pragma once
 
-#include "model/document/commands.h"
 #include "model/document/document.h"
+#include "model/document/group_commands.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 #include "model/styles/preset.h"

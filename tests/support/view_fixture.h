@@ -1,7 +1,6 @@
 // A small project with an editor, for tests of the areas.
 #pragma once
 
-#include "model/document/commands.h"
 #include "model/document/document.h"
 #include "tests/support/test_heads.h"
 #include "view/editing/editor_state.h"

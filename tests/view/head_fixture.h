@@ -1,7 +1,7 @@
 // A ball with hair in the 3D area, driven by mouse, wheel and keys; its pictures come from an off-screen context.
 #pragma once
 
-#include "model/document/commands.h"
+#include "model/document/paint_command.h"
 #include "sim/motion/simulation.h"
 #include "tests/support/view_fixture.h"
 #include "view/head_area/head_view.h"

@@ -1,7 +1,8 @@
 // A strip of styles that are made where they would be read, over a small project.
 #pragma once
 
-#include "model/document/commands.h"
+#include "model/document/layer_commands.h"
+#include "model/document/paint_command.h"
 #include "tests/support/patience.h"
 #include "tests/view/panel_fixture.h"
 #include "view/panels/style_question.h"

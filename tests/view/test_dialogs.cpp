@@ -1,7 +1,7 @@
 // Wind and light are shown live and are one undo step; import, preferences and keys.
 #include "panel_fixture.h"
 
-#include "model/document/commands.h"
+#include "model/document/scene_commands.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/head_import_dialog.h"

@@ -1,5 +1,6 @@
 // The direction map as short hairs over the head.
 #include "head_fixture.h"
+#include "model/document/paint_command.h"
 #include "sim/groom/direction_texel.h"
 #include "tests/support/await.h"
 #include "tests/support/test_program.h"

@@ -1,5 +1,6 @@
 // What the user works with, whichever view changes it.
-#include "model/document/commands.h"
+#include "model/document/group_commands.h"
+#include "model/document/layer_commands.h"
 #include "model/files/project_file.h"
 #include "tests/support/test_program.h"
 #include "tests/view/panel_fixture.h"

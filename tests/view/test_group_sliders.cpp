@@ -1,7 +1,7 @@
 // The sliders of a group's settings: ranges keep what is painted, and a change is of the group it was made on.
 #include "panel_fixture.h"
 
-#include "model/document/commands.h"
+#include "model/document/paint_command.h"
 #include "model/project/hair_types.h"
 #include "tests/support/test_program.h"
 #include "view/panels/hair_panel.h"

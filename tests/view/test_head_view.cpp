@@ -1,6 +1,6 @@
 // The 3D area driven by mouse, wheel and keys; its pictures come from an off-screen context.
 #include "head_fixture.h"
-#include "model/document/commands.h"
+#include "model/document/scene_commands.h"
 #include "tests/support/head_picture.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"

@@ -1,5 +1,6 @@
 // The 3D area tells still hair from moving hair, and shows what state its picture is in.
 #include "head_fixture.h"
+#include "model/document/scene_commands.h"
 #include "tests/support/head_picture.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"

@@ -1,4 +1,6 @@
 // The paint area driven by mouse, wheel, keys and pen.
+#include "model/document/layer_commands.h"
+#include "model/document/scene_commands.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/support/view_fixture.h"

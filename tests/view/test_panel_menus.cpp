@@ -1,7 +1,7 @@
 // What panels offer beyond their buttons: menus, words on what erasing leaves, sizes of maps.
 #include "panel_fixture.h"
 
-#include "model/document/commands.h"
+#include "model/document/layer_commands.h"
 #include "model/styles/hair_kinds.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"

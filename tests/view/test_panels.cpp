@@ -1,7 +1,6 @@
 // Panels change the document by one command a change, preview while something moves, and follow undo.
 #include "panel_fixture.h"
 
-#include "model/document/commands.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/panels/hair_panel.h"

@@ -1,4 +1,4 @@
-// A style at a share, and the handles of the haircut that is on the head, beside the pictures of styles.
+// A style at a fraction, and the handles of the haircut that is on the head, beside the pictures of styles.
 #include "tests/support/test_program.h"
 #include "tests/view/strip_fixture.h"
 #include "view/panels/handle_panel.h"
@@ -13,7 +13,7 @@ namespace {
 struct HandleFixture : StripFixture
 {
     BarSlider& length = *sliderNamed(strip, QStringLiteral("Length all over"));
-    BarSlider& share = *strip.findChild<BarSlider*>(QStringLiteral("styleShare"));
+    BarSlider& fraction = *strip.findChild<BarSlider*>(QStringLiteral("styleFraction"));
 
     HandleFixture()
     {
@@ -97,7 +97,7 @@ private Q_SLOTS:
         QTRY_COMPARE(f.length.value(), 100.0);
     }
 
-    void a_style_is_put_on_at_a_share()
+    void a_style_is_put_on_in_part()
     {
         HandleFixture f;
         f.click(1);
@@ -105,8 +105,8 @@ private Q_SLOTS:
         f.document.undo();
         const float baldM = f.longestM();
         QVERIFY(baldM != fromM);
-        f.setTo(f.share, 0.5);
-        const double share = f.share.value() / 100.0;
+        f.setTo(f.fraction, 0.5);
+        const double fraction = f.fraction.value() / 100.0;
         f.enter(1);
         QTRY_VERIFY(f.longestM() != baldM);
         const std::vector<model::HairGroup> shown = f.document.project().groups;
@@ -114,8 +114,9 @@ private Q_SLOTS:
         f.click(1);
         QCOMPARE(f.document.undoStack().index(), steps + 1);
         QVERIFY(sameGroups(f.document.project().groups, shown));
-        QVERIFY(std::abs(f.longestM() - std::lerp(baldM, fromM, static_cast<float>(share))) < 1e-3F);
-        QCOMPARE(f.document.undoStack().undoText(), QStringLiteral("Apply style \"waves\", %1%").arg(f.share.value()));
+        QVERIFY(std::abs(f.longestM() - std::lerp(baldM, fromM, static_cast<float>(fraction))) < 1e-3F);
+        QCOMPARE(f.document.undoStack().undoText(),
+                 QStringLiteral("Apply style \"waves\", %1%").arg(f.fraction.value()));
     }
 
     void the_last_style_is_mixed_anew_while_the_slider_moves()
@@ -125,11 +126,11 @@ private Q_SLOTS:
         f.click(1);
         const float wholeM = f.longestM();
         const int steps = f.steps();
-        holdAt(f.share, 0.25);
+        holdAt(f.fraction, 0.25);
         const float quarterM = f.longestM();
-        QVERIFY(std::abs(quarterM - std::lerp(baldM, wholeM, static_cast<float>(f.share.value()) / 100.0F)) < 1e-3F);
+        QVERIFY(std::abs(quarterM - std::lerp(baldM, wholeM, static_cast<float>(f.fraction.value()) / 100.0F)) < 1e-3F);
         QCOMPARE(f.steps(), steps);
-        letGo(f.share);
+        letGo(f.fraction);
         QCOMPARE(f.steps(), steps + 1);
         QCOMPARE(f.longestM(), quarterM);
         f.document.undo();
@@ -142,7 +143,7 @@ private Q_SLOTS:
         f.click(1);
         f.paintOn(f.group("Scalp").id, MapKind::Colour, 12345);
         const std::vector<model::HairGroup> before = f.document.project().groups;
-        f.setTo(f.share, 0.3);
+        f.setTo(f.fraction, 0.3);
         QVERIFY(sameGroups(f.document.project().groups, before));
     }
 };

@@ -1,4 +1,5 @@
 // What a click on a style replaces, what it asks about, and what of it can be taken alone.
+#include "model/document/group_commands.h"
 #include "tests/support/test_program.h"
 #include "tests/view/strip_fixture.h"
 

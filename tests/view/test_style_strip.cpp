@@ -1,4 +1,6 @@
 // Pointing at a style shows it, leaving gives the very bytes back, clicking commits the bytes that were shown.
+#include "model/document/group_commands.h"
+#include "model/document/layer_commands.h"
 #include "tests/support/test_program.h"
 #include "tests/view/strip_fixture.h"
 #include "view/panels/hair_panel.h"

@@ -1,5 +1,5 @@
 // What is worn, edited in the 3D area.
-#include "model/document/commands.h"
+#include "model/document/scene_commands.h"
 #include "tests/support/head_picture.h"
 #include "tests/support/test_program.h"
 #include "tests/view/head_fixture.h"

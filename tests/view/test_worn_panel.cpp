@@ -1,5 +1,5 @@
 // The look of what is worn, set in the panel.
-#include "model/document/commands.h"
+#include "model/document/scene_commands.h"
 #include "tests/support/test_program.h"
 #include "tests/view/panel_fixture.h"
 #include "view/head_area/scene_light.h"

@@ -1,7 +1,7 @@
 // The lights and the background, shown live.
 #include "view/dialogs/light_dialog.h"
 
-#include "model/document/commands.h"
+#include "model/document/scene_commands.h"
 #include "view/look/theme.h"
 #include "view/widgets/swatch.h"
 

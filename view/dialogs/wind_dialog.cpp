@@ -1,7 +1,7 @@
 // The moving air, shown live.
 #include "view/dialogs/wind_dialog.h"
 
-#include "model/document/commands.h"
+#include "model/document/scene_commands.h"
 
 #include <QCheckBox>
 #include <QVBoxLayout>

@@ -59,7 +59,7 @@ private:
     model::Id m_group = 0;
     model::MapKind m_map = model::MapKind::Length;
     std::vector<model::LayerAddress> m_layers; ///< One for each group and map that was ever active.
-    std::vector<model::Change> m_stepped;      ///< Texels that the step under way has changed.
+    std::vector<model::Change> m_stepped;      ///< Texels that the unfinished step has changed.
     bool m_held = false;
 };
 

@@ -216,7 +216,7 @@ private:
     QSize m_size;           ///< Of the renderer's last picture, in pixels.
     QBasicTimer m_steps;    ///< Runs while a finer picture is drawn; other events come between its turns.
     bool m_lost = false;    ///< The context is of no use any more.
-    bool m_begun = false;   ///< Whether the renderer has a finer picture under way.
+    bool m_begun = false;   ///< Whether the renderer has begun a finer picture.
     std::vector<std::uint8_t> m_pixels;
 };
 

@@ -166,8 +166,8 @@ QPolygonF ringSeen(const sim::SurfacePoint& point, float radiusM, const renderin
 sim::NeckAngles turned(const sim::NeckAngles& start, const sim::Neck& neck, const rendering::Camera& camera,
                        QPointF pixels)
 {
-    // What is seen goes with the pointer, so from behind the face goes the other way; from the side it goes as in
-    // front.
+    // What is seen goes with the pointer, so from behind the face goes the opposite direction; from the side it goes as
+    // in front.
     constexpr float kFromBehind = -0.1F;
     const float ahead = glm::dot(axesOf(camera).right, neck.acrossHd) < kFromBehind ? -1.0F : 1.0F;
     return sim::withinReach({start.yawRad + static_cast<float>(pixels.x()) * kTurnRadPerPx,

@@ -40,7 +40,7 @@ struct RayWo
 /// A ring around a point of the skin, in px; empty where a part lies behind the eye.
 [[nodiscard]] QPolygonF ringSeen(const sim::SurfacePoint& point, float radiusM, const rendering::Camera& camera,
                                  const sim::HeadPose& pose, QSizeF size);
-/// Between two cameras, the short way round; t 0..1.
+/// Between two cameras, by the smaller angle; t 0..1.
 [[nodiscard]] rendering::Camera between(const rendering::Camera& from, const rendering::Camera& to, float t);
 
 /// The head turned on its neck by a drag, as far as it goes: what the camera sees of it follows the pointer.

@@ -59,7 +59,7 @@ public:
     /// Where the head stands in the frame that is shown.
     [[nodiscard]] sim::HeadPose shownPose() const;
 
-    /// Skin, worn things and background of the project, under a light that may be on its way to another.
+    /// Skin, worn things and background of the project, under a light that may be turning into another.
     void setEnvironment(const model::Project& project, const model::LightSettings& light);
 
     bool refreshRings(); ///< Whether a ring was shown or is now.

@@ -117,7 +117,7 @@ bool WeatherOverlay::handleKey(int key, Qt::KeyboardModifiers modifiers)
         Q_EMIT leaveWanted();
         return true;
     }
-    // One of the two is under way at a time: a preview shows only one change.
+    // One of the two is being changed at a time: a preview shows only one change.
     const bool tints = key == Qt::Key_R || key == Qt::Key_G || key == Qt::Key_B;
     if (tints ? m_windPending : m_lightPending)
         settle();

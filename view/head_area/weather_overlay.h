@@ -19,12 +19,12 @@ public:
     explicit WeatherOverlay(const Theme& theme, QWidget* parent);
 
     void setTheme(const Theme& theme);
-    /// The document's present values. Others than those of a change under way end it: somebody took it back.
+    /// The document's present values. Others than those of an unfinished change end it: somebody took it back.
     void setValues(const sim::Wind& wind, const model::LightSettings& light);
     /// Handles a key of ours; false leaves it to others.
     bool handleKey(int key, Qt::KeyboardModifiers modifiers);
     [[nodiscard]] static bool isOurKey(int key);
-    /// Ends a change under way.
+    /// Ends an unfinished change.
     void settle();
     /// How long no key is pressed until a change ends by itself; a second unless set.
     void setPause(int milliseconds) { m_pauseMs = milliseconds; }

@@ -1,8 +1,8 @@
 // One undo step each.
 #include "view/head_area/worn_edit.h"
 
-#include "model/document/commands.h"
 #include "model/document/gather_command.h"
+#include "model/document/scene_commands.h"
 #include "view/editing/editor_state.h"
 
 #include <QCoreApplication>

@@ -1,6 +1,7 @@
 // A control for each row of the schema.
 #include "view/panels/group_settings_panel.h"
 
+#include "model/document/group_commands.h"
 #include "model/document/hair_type_command.h"
 #include "model/project/group_schema.h"
 #include "model/project/hair_types.h"

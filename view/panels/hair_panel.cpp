@@ -1,7 +1,7 @@
 // The hair groups: listed, added, removed.
 #include "view/panels/hair_panel.h"
 
-#include "model/document/commands.h"
+#include "model/document/group_commands.h"
 #include "model/growth/face_hair.h"
 #include "model/project/group_schema.h"
 #include "model/project/hair_types.h"

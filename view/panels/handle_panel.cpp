@@ -125,7 +125,7 @@ void HandlePanel::showEvent(QShowEvent* event)
 
 void HandlePanel::follow()
 {
-    // What is only looked at, and strokes under way, have handles when they are kept.
+    // What is only looked at, and unfinished strokes, have handles when they are kept.
     if (!isVisible() || m_edit.active() || m_state.document().previewing())
         return;
     const model::Id group = m_state.target().group();

@@ -1,7 +1,7 @@
 // The layers of the active map.
 #include "view/panels/layers_panel.h"
 
-#include "model/document/commands.h"
+#include "model/document/layer_commands.h"
 #include "model/project/blend_modes.h"
 #include "model/values/names.h"
 #include "view/look/theme.h"

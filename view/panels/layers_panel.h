@@ -1,7 +1,7 @@
 // The layers of the active map.
 #pragma once
 
-#include "model/document/commands.h"
+#include "model/document/layer_commands.h"
 #include "view/editing/editor_state.h"
 
 #include <QImage>

@@ -20,7 +20,7 @@ using model::StyleFolder;
 
 namespace {
 
-constexpr int kShare = 108;       ///< Width of the slider,
+constexpr int kSlider = 108;      ///< Width of the slider,
 constexpr int kSearch = 152;      ///< Width of the field,
 constexpr int kLeastSearch = 104; ///< where there is little room.
 
@@ -52,15 +52,16 @@ StyleBar::StyleBar(QWidget* parent) : QWidget(parent)
     m_part->setToolTip(tr("What pointing at a style shows and clicking takes; the rest of your hair stays"));
     for (const model::StylePartSpec& spec : model::styleParts())
         m_part->addItem(spec.part == model::StylePart::All ? tr("Whole style") : spec.titleText());
-    m_share = new BarSlider(tr("Mix"), this);
-    m_share->setObjectName(QStringLiteral("styleShare"));
-    m_share->setRange(0.0, 100.0);
-    m_share->setUnit(QStringLiteral("%"));
-    m_share->setDefaultValue(100.0);
-    m_share->setValue(100.0);
-    m_share->setPreferredWidth(kShare);
-    m_share->setHint(tr("How much of a style is taken; below 100% it is mixed with the hair that was there. Ties and "
-                        "braids, which can't be mixed, come with 50% and more"));
+    m_fraction = new BarSlider(tr("Mix"), this);
+    m_fraction->setObjectName(QStringLiteral("styleFraction"));
+    m_fraction->setRange(0.0, 100.0);
+    m_fraction->setUnit(QStringLiteral("%"));
+    m_fraction->setDefaultValue(100.0);
+    m_fraction->setValue(100.0);
+    m_fraction->setPreferredWidth(kSlider);
+    m_fraction->setHint(
+        tr("How much of a style is taken; below 100% it is mixed with the hair that was there. Ties and "
+           "braids, which can't be mixed, come with 50% and more"));
     m_search = new QLineEdit(this);
     m_search->setObjectName(QStringLiteral("styleSearch"));
     m_search->setPlaceholderText(tr("Find a style"));
@@ -72,13 +73,13 @@ StyleBar::StyleBar(QWidget* parent) : QWidget(parent)
     row->addWidget(m_folders, 1);
     row->addWidget(m_folderBox);
     row->addWidget(m_part);
-    row->addWidget(m_share);
+    row->addWidget(m_fraction);
     row->addWidget(m_search);
     for (QWidget* one : std::initializer_list<QWidget*>{m_folders, m_search})
         one->installEventFilter(this);
-    connect(m_share, &BarSlider::valueChanged, this, &StyleBar::shareMoved);
-    connect(m_share, &BarSlider::editingFinished, this, &StyleBar::shareSet);
-    connect(m_share, &BarSlider::editingCancelled, this, &StyleBar::shareTakenBack);
+    connect(m_fraction, &BarSlider::valueChanged, this, &StyleBar::fractionMoved);
+    connect(m_fraction, &BarSlider::editingFinished, this, &StyleBar::fractionSet);
+    connect(m_fraction, &BarSlider::editingCancelled, this, &StyleBar::fractionTakenBack);
     connect(m_folders, &QTabBar::currentChanged, m_folderBox, &QComboBox::setCurrentIndex);
     connect(m_folderBox, &QComboBox::currentIndexChanged, m_folders, &QTabBar::setCurrentIndex);
     connect(m_folders, &QTabBar::currentChanged, this, &StyleBar::filterChanged);
@@ -104,9 +105,9 @@ model::StylePart StyleBar::part() const
     return model::styleParts()[static_cast<std::size_t>(std::max(m_part->currentIndex(), 0))].part;
 }
 
-double StyleBar::share() const
+double StyleBar::fraction() const
 {
-    return m_share->value() / 100.0;
+    return m_fraction->value() / 100.0;
 }
 
 void StyleBar::widen()
@@ -133,7 +134,7 @@ void StyleBar::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     const int room =
-        width() - 5 * metrics::kGap - m_part->sizeHint().width() - m_share->sizeHint().width() - kLeastSearch;
+        width() - 5 * metrics::kGap - m_part->sizeHint().width() - m_fraction->sizeHint().width() - kLeastSearch;
     const bool isRoomy = m_folders->sizeHint().width() <= room;
     m_folders->setVisible(isRoomy);
     m_folderBox->setVisible(!isRoomy);

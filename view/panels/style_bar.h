@@ -25,17 +25,17 @@ public:
     [[nodiscard]] const model::StyleFolder& folder() const;
     [[nodiscard]] QString words() const;         ///< Searched for; empty: all.
     [[nodiscard]] model::StylePart part() const; ///< What a click or Return on a picture takes.
-    [[nodiscard]] double share() const;          ///< 0..1: as in model::StyleUse.
+    [[nodiscard]] double fraction() const;       ///< 0..1: as in model::StyleUse.
     void widen();                                ///< The same words in all folders; there, no words.
     void startSearch();                          ///< Gives the search the keys.
     void takeKeys();                             ///< Gives the folders the keys.
 
 Q_SIGNALS:
     void filterChanged();
-    void shareMoved();     ///< By the user, who goes on,
-    void shareSet();       ///< and lets go,
-    void shareTakenBack(); ///< or takes it back.
-    void downWanted();     ///< By the key, to the pictures.
+    void fractionMoved();     ///< By the user, who goes on,
+    void fractionSet();       ///< and lets go,
+    void fractionTakenBack(); ///< or takes it back.
+    void downWanted();        ///< By the key, to the pictures.
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -45,7 +45,7 @@ private:
     QTabBar* m_folders = nullptr;
     QComboBox* m_folderBox = nullptr; ///< The same folders.
     QComboBox* m_part = nullptr;
-    BarSlider* m_share = nullptr;
+    BarSlider* m_fraction = nullptr;
     QLineEdit* m_search = nullptr;
 };
 

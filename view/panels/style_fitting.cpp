@@ -1,7 +1,7 @@
 // Through an edit session, with a question where it is needed.
 #include "view/panels/style_fitting.h"
 
-#include "model/document/commands.h"
+#include "model/styles/style_use.h"
 #include "model/values/names.h"
 #include "view/panels/style_question.h"
 
@@ -22,7 +22,7 @@ StyleFitting::StyleFitting(EditorState& state, StyleQuestion& question, QObject*
     });
     connect(&question, &StyleQuestion::replaceChosen, this, [this] {
         if (const std::optional<Asked> asked = std::exchange(m_asked, std::nullopt)) {
-            const model::StyleUse whole{.part = asked->use.part, .share = asked->use.share};
+            const model::StyleUse whole{.part = asked->use.part, .fraction = asked->use.fraction};
             showStyle(asked->preset, whole);
             commit(asked->preset, whole);
         }
@@ -40,7 +40,7 @@ StyleFitting::StyleFitting(EditorState& state, StyleQuestion& question, QObject*
 model::StyleUse StyleFitting::useOf(const model::Preset& preset, StylePart part) const
 {
     const model::Project& project = m_state.document().committed();
-    model::StyleUse use{.part = part, .kept = groupsContested(project, preset), .share = m_share};
+    model::StyleUse use{.part = part, .kept = groupsContested(project, preset), .fraction = m_fraction};
     std::erase_if(use.kept, [&](model::Id id) {
         const auto known = m_untouched.find(id);
         return known != m_untouched.end() && known->second == *project.group(id);
@@ -48,9 +48,9 @@ model::StyleUse StyleFitting::useOf(const model::Preset& preset, StylePart part)
     return use;
 }
 
-void StyleFitting::setShare(double share)
+void StyleFitting::setFraction(double fraction)
 {
-    m_share = share;
+    m_fraction = fraction;
     if (m_asked)
         return;
     const model::Project& project = m_state.document().committed();
@@ -58,8 +58,8 @@ void StyleFitting::setShare(double share)
         return;
     begin();
     m_mixes = true;
-    m_kept->use.share = share;
-    m_state.document().show(m_edit, {.text = applyPresetText(*m_kept->preset, m_kept->use.part, share)},
+    m_kept->use.fraction = fraction;
+    m_state.document().show(m_edit, {.text = applyPresetText(*m_kept->preset, m_kept->use.part, fraction)},
                             {.aspect = Change::Aspect::GroupList}, [kept = *m_kept](model::Project& shown) {
                                 shown.groups = kept.groupsBefore;
                                 shown.worn = kept.wornBefore;
@@ -67,22 +67,22 @@ void StyleFitting::setShare(double share)
                             });
 }
 
-void StyleFitting::keepShare()
+void StyleFitting::keepFraction()
 {
     if (!std::exchange(m_mixes, false) || !m_edit.active())
         return;
     m_before.reset();
-    m_edit.setText(applyPresetText(*m_kept->preset, m_kept->use.part, m_share));
+    m_edit.setText(applyPresetText(*m_kept->preset, m_kept->use.part, m_fraction));
     m_edit.commit();
     remember();
 }
 
-void StyleFitting::takeShareBack(double share)
+void StyleFitting::takeFractionBack(double fraction)
 {
-    m_share = share;
+    m_fraction = fraction;
     if (!std::exchange(m_mixes, false))
         return;
-    m_kept->use.share = share;
+    m_kept->use.fraction = fraction;
     m_edit.drop();
 }
 
@@ -170,7 +170,7 @@ void StyleFitting::ask(const PresetPtr& preset, const model::StyleUse& use)
 
 void StyleFitting::commit(const PresetPtr& preset, const model::StyleUse& use)
 {
-    m_edit.setText(applyPresetText(*preset, use.part, use.share));
+    m_edit.setText(applyPresetText(*preset, use.part, use.fraction));
     m_before.reset(); // The style's own is kept.
     const model::Project& before = m_state.document().committed();
     m_kept = Kept{.preset = preset,

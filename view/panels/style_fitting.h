@@ -24,9 +24,9 @@ public:
 
     /// 0..1: how much of a style is shown and put on from now on, as in model::StyleUse. Where the hair is still as the
     /// last style left it, that style is shown anew with as much of it, over the hair that was there before.
-    void setShare(double share);
-    void keepShare();                 ///< What setShare() shows becomes one undo step.
-    void takeShareBack(double share); ///< Nothing of it does; `share` is in force again.
+    void setFraction(double fraction);
+    void keepFraction();                    ///< What setFraction() shows becomes one undo step.
+    void takeFractionBack(double fraction); ///< Nothing of it does; `fraction` is in force again.
     /// Previews a style; does nothing while a question is open.
     void show(const PresetPtr& preset, model::StylePart part);
     [[nodiscard]] bool shows() const { return m_edit.active(); }
@@ -65,9 +65,9 @@ private:
     EditorState& m_state;
     StyleQuestion& m_question;
     std::optional<Asked> m_asked;
-    double m_share = 1.0;
+    double m_fraction = 1.0;
     std::optional<Kept> m_kept;
-    bool m_mixes = false;                        ///< setShare() shows the last style.
+    bool m_mixes = false;                        ///< setFraction() shows the last style.
     model::EditSession m_edit;                   ///< Of the style that is shown.
     std::optional<model::LayerAddress> m_before; ///< What was active before, while a style is shown.
     /// Groups as a style put them on; as long as they are so, another style may replace them without a question.

@@ -29,7 +29,7 @@ struct StyleMarks
 struct StyleSign
 {
     QString sentence;
-    QString way;
+    QString button;
 };
 /// `words`: searched for; empty: none.
 [[nodiscard]] StyleSign signOf(const model::StyleFolder& folder, const QString& words);

@@ -1,4 +1,4 @@
-// What was done to a style, and the way back.
+// What was done to a style, and its undo.
 #pragma once
 
 #include <QWidget>
@@ -7,7 +7,7 @@ class QLabel;
 
 namespace hairpaint::view {
 
-/// A sentence with "Undo" over the foot of its parent, until it is taken back, closed or another takes its place; no
+/// A sentence with "Undo" over the foot of its parent, until it is taken back, closed or replaced by another; no
 /// clock takes it away. Tab of the strip reaches it. GUI thread.
 class StyleNotice : public QWidget
 {

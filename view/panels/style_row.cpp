@@ -40,14 +40,14 @@ StyleRow::StyleRow(QWidget* parent) : QScrollArea(parent)
     auto* sign = new QHBoxLayout(m_sign);
     sign->setSpacing(metrics::kPadding);
     m_sentence = new QLabel(m_sign);
-    m_way = new QPushButton(m_sign);
+    m_signButton = new QPushButton(m_sign);
     sign->addWidget(m_sentence);
-    sign->addWidget(m_way);
+    sign->addWidget(m_signButton);
     m_sign->hide();
     setWidget(content);
     viewport()->installEventFilter(this);
     horizontalScrollBar()->setAccessibleName(tr("Styles"));
-    connect(m_way, &QPushButton::clicked, this, &StyleRow::wayChosen);
+    connect(m_signButton, &QPushButton::clicked, this, &StyleRow::signButtonClicked);
     connect(horizontalScrollBar(), &QScrollBar::valueChanged, this, &StyleRow::contentMoved);
     m_wheelPause.setSingleShot(true);
     m_wheelPause.setInterval(kWheelMs);
@@ -145,12 +145,12 @@ std::vector<QString> StyleRow::shownPaths() const
     return paths;
 }
 
-void StyleRow::showSign(const QString& sentence, const QString& way)
+void StyleRow::showSign(const QString& sentence, const QString& button)
 {
     showOnly({});
     m_sentence->setText(sentence);
-    m_way->setText(way);
-    m_way->setVisible(!way.isEmpty());
+    m_signButton->setText(button);
+    m_signButton->setVisible(!button.isEmpty());
     m_row->addWidget(m_sign);
     m_sign->show();
 }
@@ -160,8 +160,8 @@ bool StyleRow::takeKeys()
     const auto stop = std::ranges::find(m_shown, Qt::TabFocus, &QWidget::focusPolicy);
     if (stop != m_shown.end())
         (*stop)->setFocus(Qt::ShortcutFocusReason);
-    else if (m_way->isVisible())
-        m_way->setFocus(Qt::ShortcutFocusReason);
+    else if (m_signButton->isVisible())
+        m_signButton->setFocus(Qt::ShortcutFocusReason);
     return stop != m_shown.end();
 }
 

@@ -26,14 +26,14 @@ class StyleRow : public QScrollArea
 public:
     explicit StyleRow(QWidget* parent);
 
-    /// In the place of all that were there; the keys stay with the style that had them. Nothing is shown yet.
+    /// Replaces all that were there; the keys stay with the style that had them. Nothing is shown yet.
     void setTiles(const std::vector<StyleTile*>& tiles);
     [[nodiscard]] const std::vector<StyleTile*>& tiles() const { return m_tiles; }
     [[nodiscard]] StyleTile* tile(const QString& path) const; ///< Null where there is none.
     void showOnly(const std::vector<QString>& paths);         ///< In that order.
     [[nodiscard]] std::vector<QString> shownPaths() const;
-    /// Instead of tiles; without `way` there is no button.
-    void showSign(const QString& sentence, const QString& way);
+    /// Instead of tiles; without `button` there is no button.
+    void showSign(const QString& sentence, const QString& button);
     bool takeKeys(); ///< Gives the focus to the tile that had it last. False where none is shown.
     /// A style that the wheel brought under the resting pointer is pointed at from now on; a pause of the wheel calls
     /// it, and touch pads that tell of the end.
@@ -49,7 +49,7 @@ Q_SIGNALS:
     void favouriteWanted(const QString& path, bool favourite);
     void ordered(const QString& path, hairpaint::view::StyleOrder order);
     void upWanted(); ///< By the key, from a tile.
-    void wayChosen();
+    void signButtonClicked();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -67,7 +67,7 @@ private:
     QHBoxLayout* m_row = nullptr;
     QWidget* m_sign = nullptr;
     QLabel* m_sentence = nullptr;
-    QPushButton* m_way = nullptr;
+    QPushButton* m_signButton = nullptr;
     std::vector<StyleTile*> m_tiles, m_shown;
     QTimer m_wheelPause{this};         ///< Between the wheel's last turn and its end.
     std::optional<QPoint> m_restingAt; ///< The pointer, when pictures last moved below it.

@@ -52,12 +52,12 @@ StyleStrip::StyleStrip(EditorState& state, Loader loader, Start start, QWidget* 
     connect(m_notice, &StyleNotice::undoChosen, this, &StyleStrip::undoWanted);
     m_question = new StyleQuestion(this);
     m_fitting = new StyleFitting(state, *m_question, this);
-    connect(m_bar, &StyleBar::shareMoved, this, [this] {
+    connect(m_bar, &StyleBar::fractionMoved, this, [this] {
         stopPointing();
-        m_fitting->setShare(m_bar->share());
+        m_fitting->setFraction(m_bar->fraction());
     });
-    connect(m_bar, &StyleBar::shareSet, m_fitting, &StyleFitting::keepShare);
-    connect(m_bar, &StyleBar::shareTakenBack, this, [this] { m_fitting->takeShareBack(m_bar->share()); });
+    connect(m_bar, &StyleBar::fractionSet, m_fitting, &StyleFitting::keepFraction);
+    connect(m_bar, &StyleBar::fractionTakenBack, this, [this] { m_fitting->takeFractionBack(m_bar->fraction()); });
     connect(m_fitting, &StyleFitting::asking, this, &StyleStrip::asking);
     connect(m_fitting, &StyleFitting::failed, this, &StyleStrip::failed);
     connect(m_fitting, &StyleFitting::kept, this, [this] {
@@ -107,7 +107,7 @@ void StyleStrip::followRow()
     connect(m_row, &StyleRow::favouriteWanted, this, &StyleStrip::setFavourite);
     connect(m_row, &StyleRow::ordered, this, &StyleStrip::ordered);
     connect(m_row, &StyleRow::upWanted, m_bar, &StyleBar::takeKeys);
-    connect(m_row, &StyleRow::wayChosen, this, [this] {
+    connect(m_row, &StyleRow::signButtonClicked, this, [this] {
         m_bar->widen();
         m_row->takeKeys();
     });
@@ -176,7 +176,7 @@ void StyleStrip::filter()
     if (!shown.empty())
         return m_row->showOnly(shown);
     const StyleSign sign = signOf(folder, m_bar->words());
-    m_row->showSign(sign.sentence, sign.way);
+    m_row->showSign(sign.sentence, sign.button);
 }
 
 void StyleStrip::showMenu(StyleTile* tile, const QPoint& globalPosition)

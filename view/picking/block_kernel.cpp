@@ -79,11 +79,11 @@ HWY_INLINE void nearestTo(const PictureBrush& brush, const Point& a, const Point
         fraction = select(other < apart, t, fraction);
         apart = least(other, apart);
     }
-    const Point way{b.x - a.x, b.y - a.y};
+    const Point segment{b.x - a.x, b.y - a.y};
     const Point edge{d.x - c.x, d.y - c.y};
-    const Lanes area = way.x * edge.y - way.y * edge.x;
+    const Lanes area = segment.x * edge.y - segment.y * edge.x;
     const Lanes along = ((c.x - a.x) * edge.y - (c.y - a.y) * edge.x) / area;
-    const Lanes alongEdge = ((c.x - a.x) * way.y - (c.y - a.y) * way.x) / area;
+    const Lanes alongEdge = ((c.x - a.x) * segment.y - (c.y - a.y) * segment.x) / area;
     const Yes crosses = (magnitude(area) > Lanes(1e-9F)) & (along >= Lanes(0.0F)) & (along <= Lanes(1.0F)) &
                         (alongEdge >= Lanes(0.0F)) & (alongEdge <= Lanes(1.0F));
     fraction = select(crosses, along, fraction);

@@ -24,13 +24,13 @@ public:
     /// The points of a segment, px and depth, a cell apart.
     void add(glm::vec3 from, glm::vec3 to)
     {
-        const glm::vec3 way = to - from;
-        const float longest = std::max(std::abs(way.x), std::abs(way.y));
+        const glm::vec3 segment = to - from;
+        const float longest = std::max(std::abs(segment.x), std::abs(segment.y));
         const auto steps = static_cast<int>(std::min(longest * m_perPx, 64.0F)) + 1;
         const float step = 1.0F / static_cast<float>(steps);
         std::size_t last = kNoCell;
         for (int i = 0; i < steps; ++i) {
-            const glm::vec3 point = from + way * ((static_cast<float>(i) + 0.5F) * step);
+            const glm::vec3 point = from + segment * ((static_cast<float>(i) + 0.5F) * step);
             const std::size_t cell = cellOf(point);
             if (cell != last && cell != kNoCell && point.z > 0.0F)
                 insert(m_cells[cell], point.z);

@@ -45,10 +45,11 @@ Best bestOf(const Wanted& wanted, std::size_t firstSlot, std::size_t endSlot)
         glm::vec3 last = wanted.lens.seen(nodes.front());
         for (std::size_t i = 1; i < nodes.size(); ++i) {
             const glm::vec3 next = wanted.lens.seen(nodes[i]);
-            const glm::vec2 way(next - last);
-            const float square = glm::dot(way, way);
+            const glm::vec2 segment(next - last);
+            const float square = glm::dot(segment, segment);
             const float along =
-                square > 0.0F ? std::clamp(glm::dot(wanted.pointer - glm::vec2(last), way) / square, 0.0F, 1.0F) : 0.0F;
+                square > 0.0F ? std::clamp(glm::dot(wanted.pointer - glm::vec2(last), segment) / square, 0.0F, 1.0F)
+                              : 0.0F;
             const glm::vec3 nearest = last + (next - last) * along;
             const float apartPx = glm::distance(glm::vec2(nearest), wanted.pointer);
             const float cost = nearest.z + kBehindMPerPx * apartPx;
@@ -90,9 +91,9 @@ std::optional<model::GrabbedHair> hairNear(QPointF position, const sim::StrandFr
     model::GrabbedHair hair;
     for (std::size_t i = 1; i < best.segment; ++i)
         hair.alongM += glm::distance(nodes[i - 1], nodes[i]);
-    const glm::vec3 way = nodes[best.segment] - nodes[best.segment - 1];
-    hair.alongM = std::max(hair.alongM + glm::length(way) * best.fraction, 1e-4F);
-    const glm::vec3 positionWo = nodes[best.segment - 1] + way * best.fraction;
+    const glm::vec3 segment = nodes[best.segment] - nodes[best.segment - 1];
+    hair.alongM = std::max(hair.alongM + glm::length(segment) * best.fraction, 1e-4F);
+    const glm::vec3 positionWo = nodes[best.segment - 1] + segment * best.fraction;
     hair.positionHd = glm::conjugate(frame.pose.rotation) * (positionWo - frame.pose.positionWo);
     hair.root = rootOf(*groom.roots, static_cast<std::uint32_t>(best.slot));
     return hair;

@@ -67,14 +67,14 @@ std::optional<float> LineRows::firstMeeting(glm::vec2 from, glm::vec2 to) const
         if (m_rows[row].left > right || m_rows[row].right < left)
             continue;
         for (const std::uint32_t i : m_rows[row].edges) {
-            const glm::vec2 way = to - from;
+            const glm::vec2 segment = to - from;
             const glm::vec2 edge = m_edges[i].to - m_edges[i].from;
-            const float area = crossed(way, edge);
+            const float area = crossed(segment, edge);
             if (std::abs(area) < 1e-12F)
                 continue;
             const glm::vec2 apart = m_edges[i].from - from;
             const float along = crossed(apart, edge) / area;
-            const float alongEdge = crossed(apart, way) / area;
+            const float alongEdge = crossed(apart, segment) / area;
             if (along >= 0.0F && along <= 1.0F && alongEdge >= 0.0F && alongEdge <= 1.0F)
                 met = std::min(met.value_or(along), along);
         }

@@ -37,9 +37,9 @@ struct Nearest
 /// Of a segment, where it is nearest to a point: 0..1.
 [[nodiscard]] inline float fractionNear(glm::vec2 point, glm::vec2 from, glm::vec2 to)
 {
-    const glm::vec2 way = to - from;
-    const float square = glm::dot(way, way);
-    return square > 0.0F ? std::clamp(glm::dot(point - from, way) / square, 0.0F, 1.0F) : 0.0F;
+    const glm::vec2 segment = to - from;
+    const float square = glm::dot(segment, segment);
+    return square > 0.0F ? std::clamp(glm::dot(point - from, segment) / square, 0.0F, 1.0F) : 0.0F;
 }
 
 /// Of a segment a-b the point nearest to the segment c-d.
@@ -53,13 +53,13 @@ struct Nearest
         const float fraction = fractionNear(c, a, b);
         return {.fraction = fraction, .apart = apartAt(fraction)};
     }
-    const glm::vec2 way = b - a;
+    const glm::vec2 segment = b - a;
     const glm::vec2 other = d - c;
-    const float area = way.x * other.y - way.y * other.x;
+    const float area = segment.x * other.y - segment.y * other.x;
     if (std::abs(area) > 1e-9F) {
         const glm::vec2 apart = c - a;
         const float along = (apart.x * other.y - apart.y * other.x) / area;
-        const float alongOther = (apart.x * way.y - apart.y * way.x) / area;
+        const float alongOther = (apart.x * segment.y - apart.y * segment.x) / area;
         if (along >= 0.0F && along <= 1.0F && alongOther >= 0.0F && alongOther <= 1.0F)
             return {.fraction = along, .apart = 0.0F};
     }

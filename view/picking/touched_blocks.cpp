@@ -127,8 +127,8 @@ TouchedBlocks::TouchedBlocks(const PictureHair& picture, const PictureBrush& bru
         for (std::size_t part = first; part < m_parts.size(); ++part)
             m_front.add(m_parts[part].front);
         m_deepestM = m_front.hidesFrom([&brush](glm::vec2 middle) {
-            const glm::vec2 way = brush.to - brush.from;
-            return glm::distance(middle, brush.from + way * fractionNear(middle, brush.from, brush.to)) <=
+            const glm::vec2 segment = brush.to - brush.from;
+            return glm::distance(middle, brush.from + segment * fractionNear(middle, brush.from, brush.to)) <=
                    brush.radiusPx;
         });
         begin = end;

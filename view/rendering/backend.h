@@ -50,10 +50,10 @@ public:
 
     /// Draws a picture of width x height pixels.
     virtual void draw(const Scene& scene, const Quality& quality, int width, int height) = 0;
-    /// Begins the same picture, for step() to draw. Whatever was under way is dropped, as it is by draw().
+    /// Begins the same picture, for step() to draw. An unfinished one is dropped, as it is by draw().
     virtual void begin(const Scene& scene, const Quality& quality, int width, int height) = 0;
-    /// Draws pieces of the picture under way until `budgetMs` are used up, one at least, and waits for them. True where
-    /// nothing is left to draw: only then is it the last picture.
+    /// Draws pieces of the unfinished picture until `budgetMs` are used up, one at least, and waits for them. True
+    /// where nothing is left to draw: only then is it the last picture.
     [[nodiscard]] virtual bool step(double budgetMs) = 0;
     /// Called with 0..1 while a picture is drawn; false stops it.
     using Progress = std::function<bool(double)>;

@@ -1,7 +1,7 @@
 // The Hair menu: see the header.
 #include "app/window/menus/hair_menu.h"
 
-#include "model/document/commands.h"
+#include "model/document/scene_commands.h"
 
 namespace hairpaint::app {
 

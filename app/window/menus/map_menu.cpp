@@ -2,7 +2,7 @@
 #include "app/window/menus/map_menu.h"
 
 #include "app/window/physical_keys.h"
-#include "model/document/commands.h"
+#include "model/document/layer_commands.h"
 
 #include <QMessageBox>
 

@@ -98,7 +98,7 @@ std::vector<AtlasPatch> packedAtlas(std::span<const PatchWish> wishes, int sizeP
             break;
     }
     const int border = borderOf(wishes.size(), sizePx);
-    // Texels of the borders come on top of what patches share.
+    // Texels of the borders come on top of what patches divide among them.
     std::vector<float> heights = tallestOf(shelves);
     const float heightSum = std::accumulate(heights.begin(), heights.end(), 0.0F);
     const auto room = static_cast<float>(sizePx - 2 * border * static_cast<int>(shelves.size()));

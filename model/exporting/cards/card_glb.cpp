@@ -7,7 +7,7 @@
 #include "model/exporting/cards/card_mesh.h"
 #include "model/exporting/glb_buffer.h"
 #include "model/exporting/worn_body.h"
-#include "model/files/glb.h"
+#include "model/files/glb_writing.h"
 #include "model/values/srgb.h"
 
 #include <algorithm>

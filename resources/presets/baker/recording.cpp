@@ -1,6 +1,10 @@
 // Plays a user's actions: see the header.
 #include "recording.h"
 
+#include "model/document/gather_command.h"
+#include "model/document/group_commands.h"
+#include "model/document/layer_commands.h"
+#include "model/document/scene_commands.h"
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "model/growth/face_hair.h"

@@ -1,7 +1,7 @@
 // A user at work: the tools of the program played over the head of new projects, as the window plays the mouse.
 #pragma once
 
-#include "model/document/commands.h"
+#include "model/document/command_ptr.h"
 #include "model/styles/preset.h"
 #include "model/tools/selection.h"
 #include "model/tools/tool.h"

@@ -21,7 +21,7 @@ public:
     [[nodiscard]] double sinceBegin() const;
 
 private:
-    static constexpr std::size_t kQueries = 4; ///< Frames that may be under way.
+    static constexpr std::size_t kQueries = 4; ///< Frames that may be unfinished.
     struct Query
     {
         GlName<deleteQuery> name;

@@ -24,10 +24,10 @@ public:
 
     /// Draws into the renderer's own target of width x height pixels; waits for nothing.
     void draw(const Scene& scene, const Quality& quality, int width, int height) override;
-    /// Begins the same picture, for step() to draw: uploads, draws the head, and waits for nothing. Whatever was under
-    /// way is dropped, as it is by draw().
+    /// Begins the same picture, for step() to draw: uploads, draws the head, and waits for nothing. An unfinished one
+    /// is dropped, as it is by draw().
     void begin(const Scene& scene, const Quality& quality, int width, int height) override;
-    /// Draws pieces of the picture under way until `budgetMs` are used up, one at least, and waits for them; between
+    /// Draws pieces of the unfinished picture until `budgetMs` are used up, one at least, and waits for them; between
     /// steps the context is anybody's. True where nothing is left to draw: only then is it the last picture.
     [[nodiscard]] bool step(double budgetMs) override;
     [[nodiscard]] bool drawPatiently(const Scene& scene, const Quality& quality, int width, int height,

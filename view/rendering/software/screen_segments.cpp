@@ -163,4 +163,13 @@ void SegmentBatch::sort(const TileGrid& tiles, SegmentScratch& scratch)
     m_tileBegin[0] = 0;
 }
 
+void SegmentBounds::resize(std::size_t segments)
+{
+    if (lanes.size() >= segments)
+        return;
+    lanes.resize(segments);
+    for (std::vector<std::uint32_t>* rows : {&tilesX, &tilesY, &depths, &widths})
+        rows->resize(segments * kBlockLanes);
+}
+
 } // namespace hairpaint::rendering

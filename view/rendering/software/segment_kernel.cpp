@@ -83,15 +83,6 @@ namespace hairpaint::rendering {
 
 HWY_EXPORT(boundsOfAll);
 
-void SegmentBounds::resize(std::size_t segments)
-{
-    if (lanes.size() >= segments)
-        return;
-    lanes.resize(segments);
-    for (std::vector<std::uint32_t>* rows : {&tilesX, &tilesY, &depths, &widths})
-        rows->resize(segments * kBlockLanes);
-}
-
 void findBounds(const TileGrid& tiles, const StrandPoints& points, int segments, SegmentBounds& bounds)
 {
     bounds.resize(static_cast<std::size_t>(segments));

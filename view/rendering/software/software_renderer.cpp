@@ -42,7 +42,7 @@ TileSamples& tileSamples()
 
 struct SoftwareRenderer::State
 {
-    /// Of a picture under way: what is drawn, and how far it is.
+    /// Of an unfinished picture: what is drawn, and how far it is.
     struct Picture
     {
         Target target;
@@ -65,7 +65,7 @@ struct SoftwareRenderer::State
     std::vector<float> hiddenBehind; ///< In the same cells.
     glm::ivec2 shadeSize{0};
     int shadeCell = kCoarseShadeCell;
-    std::vector<std::uint8_t> drawn;  ///< The picture under way.
+    std::vector<std::uint8_t> drawn;  ///< The unfinished picture.
     std::vector<std::uint8_t> pixels; ///< The last finished one.
     std::vector<float> drawnLinear;   ///< Likewise, empty where it is not wanted.
     std::vector<float> linear;

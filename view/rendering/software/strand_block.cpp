@@ -97,4 +97,15 @@ void fillBlock(StrandBlock& block, const sim::GroupFrame& group, std::span<const
     }
 }
 
+void StrandPoints::resize(std::size_t points)
+{
+    if (fraction.size() >= points)
+        return;
+    pointsWo.resize(points * 3 * kBlockLanes);
+    for (std::vector<float>* row : {&x, &y, &depth, &width})
+        row->resize(points * kBlockLanes);
+    colour.resize(points * kBlockLanes);
+    fraction.resize(points);
+}
+
 } // namespace hairpaint::rendering

@@ -283,17 +283,6 @@ HWY_EXPORT(segmentsForAll);
 HWY_EXPORT(pointsOfAll);
 HWY_EXPORT(curvesOfAll);
 
-void StrandPoints::resize(std::size_t points)
-{
-    if (fraction.size() >= points)
-        return;
-    pointsWo.resize(points * 3 * kBlockLanes);
-    for (std::vector<float>* row : {&x, &y, &depth, &width})
-        row->resize(points * kBlockLanes);
-    colour.resize(points * kBlockLanes);
-    fraction.resize(points);
-}
-
 SpanSegments segmentsFor(const StrandView& view, const StrandBlock& block)
 {
     SpanSegments segments;
