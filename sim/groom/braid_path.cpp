@@ -59,8 +59,8 @@ float pitchOf(BraidKind kind)
     return kind == BraidKind::PlaitOfFour ? kFourPitch : kind == BraidKind::PlaitOfFive ? kFivePitch : 1.0F;
 }
 
-/// How far hairs spread, in their wisp's radius, by which it touches those that it crosses: between three that meet, and
-/// in flat braids between those that run side by side, one would see through.
+/// How far hairs spread, in their wisp's radius, by which it touches those that it crosses: between three that meet,
+/// and in flat braids between those that run side by side, one would see through.
 float spreadOf(BraidKind kind)
 {
     switch (kind) {

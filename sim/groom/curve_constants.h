@@ -50,8 +50,8 @@ inline constexpr float kFishtailWisps = 9.0F;
 inline constexpr float kFishtailWide = 1.0F;
 inline constexpr float kFishtailThick = 0.9F;
 inline constexpr float kFishtailWisp = 0.215F;
-/// A coil, which a bun is: a rope wound about a dome. Length of the meridian of the dome on which the rope's middle lies,
-/// in units of the path's radius at its foot; how far apart turns lie over that, in the rope's radii.
+/// A coil, which a bun is: a rope wound about a dome. Length of the meridian of the dome on which the rope's middle
+/// lies, in units of the path's radius at its foot; how far apart turns lie over that, in the rope's radii.
 inline constexpr float kCoilMeridian = 1.45F;
 inline constexpr float kCoilApart = 1.6F;
 /// The dome's height in the same units.

@@ -49,6 +49,8 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu_data()
     QTest::newRow("twist, first wisp") << 12 << 0.0F << 0.0F << 0x002 << false << 0.0F;
     QTest::newRow("twist, second wisp, head turned") << 12 << 0.0F << 0.0F << 0x102 << true << 0.0F;
     QTest::newRow("loc") << 12 << 0.0F << 0.0F << 0x003 << false << 0.0F;
+    QTest::newRow("rope of a bun") << 12 << 0.0F << 0.0F << 0x008 << false << 0.0F;
+    QTest::newRow("rope of a bun, head turned") << 8 << 0.0F << 0.0F << 0x008 << true << 0.0F;
     QTest::newRow("frizzy") << 8 << 0.0F << 0.0F << 0 << false << 0.006F;
     QTest::newRow("frizzy curl, head turned") << 12 << 5.0F << 0.01F << 0 << true << 0.004F;
     QTest::newRow("frizzy plait") << 12 << 0.0F << 0.0F << 0x101 << false << 0.003F;
