@@ -47,6 +47,36 @@ private Q_SLOTS:
         QCOMPARE(stack().count(), 0);
     }
 
+    /// Where the pointer was on one side of the head, or in its middle.
+    void twinTailsByOneClick_data()
+    {
+        QTest::addColumn<float>("at");
+        QTest::newRow("at a side") << 0.7F;
+        QTest::newRow("in the middle") << 0.5F;
+    }
+
+    void twinTailsByOneClick()
+    {
+        QFETCH(float, at);
+        openWindow(model::newProject());
+        editor().target().setMap(model::MapKind::Density);
+        m_window->actions().find(QLatin1StringView("edit.fill"))->trigger();
+        const int steps = stack().count();
+        const auto [area, point] = onHead(at, 0.7F);
+        QTest::mouseMove(area, point);
+        m_window->actions().find(QLatin1StringView("hair.addTwinTails"))->trigger();
+        QCOMPARE(stack().count(), steps + 1);
+        QCOMPARE(stack().undoText(), QStringLiteral("Gather hair into twin tails"));
+        const std::vector<model::Worn>& worn = session().document().project().worn;
+        QCOMPARE(model::countOf(worn, model::WornKind::Ponytail), std::size_t{2});
+        const glm::vec3 one = worn[worn.size() - 2].shape.centreHd;
+        const glm::vec3 other = worn.back().shape.centreHd;
+        QVERIFY(std::abs(one.x) > 0.02F && glm::distance(one * glm::vec3(-1.0F, 1.0F, 1.0F), other) < 4e-3F);
+        QCOMPARE(session().document().groomInput().groups.front().ties.size(), std::size_t{2});
+        stack().undo();
+        QCOMPARE(model::countOf(session().document().project().worn, model::WornKind::Ponytail), std::size_t{0});
+    }
+
     /// The brush in the paint area, mirrored: twin tails.
     void twinTailsByAMirroredBrush()
     {
