@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+using namespace hairpaint;
+
 namespace {
 
 /// Headers whose functions are defined in several files: a verb, a tool, a head, a system each.

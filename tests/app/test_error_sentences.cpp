@@ -10,6 +10,8 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
+using namespace hairpaint;
+
 namespace {
 
 /// Texts that need not keep a rule, each with the reason.

@@ -9,6 +9,8 @@
 #include <QRegularExpression>
 #include <QtTest>
 
+using namespace hairpaint;
+
 namespace {
 
 struct Layer

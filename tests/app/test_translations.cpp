@@ -13,6 +13,8 @@
 
 #include <tuple>
 
+using namespace hairpaint;
+
 namespace {
 
 struct Message
