@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace hairpaint::model {
 
@@ -113,7 +114,8 @@ LayerTiles parted(const sim::TiledRaster& layer, const sim::Skin& skin, const si
         for (int y = rect.y0; y < rect.y1; ++y)
             for (int x = rect.x0; x < rect.x1; ++x, ++texel) {
                 const glm::vec2 uv((static_cast<float>(x) + 0.5F) / size, 1.0F - (static_cast<float>(y) + 0.5F) / size);
-                if (!(density.sampleScalar(uv) > 0.0F))
+                // The rim around hair is painted, too.
+                if (painted.texel(x, y)[0] == 0 && !(density.sampleScalar(uv) > 0.0F))
                     continue;
                 const std::optional<sim::SurfacePoint> point = skin.atUv(uv);
                 if (!point)
@@ -140,6 +142,31 @@ LayerTiles parted(const sim::TiledRaster& layer, const sim::Skin& skin, const si
         tiles.emplace_back(index, painted.tile(index));
     }
     return tiles;
+}
+
+/// The thing of that kind which gathers the hair at a point; where no hair grows there, as at an ear, the nearest on
+/// that side of the head. Null: none.
+Worn* tieAt(Project& project, const ProjectPatches::Group* patches, const WornSpec& spec,
+            const sim::SurfacePoint& point)
+{
+    if (patches == nullptr)
+        return nullptr;
+    if (const std::optional<std::size_t> patch = patches->labels.at(point.uv))
+        if (Worn* there = project.wornThing(patches->things[*patch]); there != nullptr && there->kind == spec.kind)
+            return there;
+    Worn* nearest = nullptr;
+    float nearestHd = std::numeric_limits<float>::max();
+    for (const Id id : patches->things) {
+        Worn* thing = project.wornThing(id);
+        if (thing == nullptr || thing->kind != spec.kind || thing->shape.centreHd.x * point.positionHd.x <= 0.0F)
+            continue;
+        const float distanceHd = glm::distance(thing->shape.centreHd, point.positionHd);
+        if (distanceHd < nearestHd) {
+            nearestHd = distanceHd;
+            nearest = thing;
+        }
+    }
+    return nearest;
 }
 
 /// Where a tail stands on the left, and on the right: what was clicked and its mirror image, or beside the head where
@@ -247,14 +274,9 @@ CommandPtr gatherTwinsCommand(Document& document, Id groupId, const WornSpec& sp
     ProjectPatches found = document.patches();
     found.follow(after, &document.patches());
     const ProjectPatches::Group* patched = found.group(groupId);
-    std::array<Worn*, 2> ties{};
-    for (std::size_t side = 0; side < ties.size(); ++side) {
-        const std::optional<std::size_t> patch =
-            patched != nullptr ? patched->labels.at((*points).at(side).uv) : std::nullopt;
-        ties.at(side) = patch ? after.wornThing(patched->things[*patch]) : nullptr;
-        if (ties.at(side) == nullptr || ties.at(side)->kind != spec.kind || (side == 1 && ties[0] == ties[1]))
-            return nullptr;
-    }
+    const std::array ties{tieAt(after, patched, spec, (*points)[0]), tieAt(after, patched, spec, (*points)[1])};
+    if (ties[0] == nullptr || ties[1] == nullptr || ties[0] == ties[1])
+        return nullptr;
     for (std::size_t side = 0; side < ties.size(); ++side) {
         standOn(*ties.at(side), (*points).at(side));
         ties.at(side)->patch->placedByHand = true;

@@ -191,8 +191,10 @@ float braidGirthM(BraidKind kind, float radiusM)
 
 float braidBeginsAboveM(BraidKind kind, float radiusM)
 {
-    // That of a loc is as thick from its first hair on.
-    const float bundleM = 0.5F * kWispFirstFraction * lacingOf(kind).wisp * radiusM;
+    // There it is one bundle, which lies on the skin.
+    constexpr float kPressed = 0.9F;
+    const BraidLacing lacing = lacingOf(kind);
+    const float bundleM = kPressed * (kBraidFirstFraction * lacing.path.x + kWispFirstFraction * lacing.wisp) * radiusM;
     return std::max(kBraidFirstFraction * braidGirthM(kind, radiusM), bundleM);
 }
 
