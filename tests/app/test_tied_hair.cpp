@@ -51,16 +51,23 @@ private Q_SLOTS:
     void twinTailsByOneClick_data()
     {
         QTest::addColumn<float>("at");
-        QTest::newRow("at a side") << 0.7F;
-        QTest::newRow("in the middle") << 0.5F;
+        QTest::addColumn<bool>("isFilled");
+        QTest::newRow("at a side") << 0.7F << true;
+        QTest::newRow("in the middle") << 0.5F << true;
+        // The paint of the accessory map goes on around it.
+        QTest::newRow("hair with a rim") << 0.56F << false;
     }
 
     void twinTailsByOneClick()
     {
         QFETCH(float, at);
+        QFETCH(bool, isFilled);
         openWindow(model::newProject());
         editor().target().setMap(model::MapKind::Density);
-        m_window->actions().find(QLatin1StringView("edit.fill"))->trigger();
+        if (isFilled)
+            m_window->actions().find(QLatin1StringView("edit.fill"))->trigger();
+        else
+            drag(m_window->paintView(), paintPoint(0.4F, 0.7F), paintPoint(0.6F, 0.7F));
         const int steps = stack().count();
         const auto [area, point] = onHead(at, 0.7F);
         QTest::mouseMove(area, point);
