@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/document/command_ptr.h"
+#include "model/document/document.h"
 #include "model/project/hair_types.h"
 
 namespace hairpaint::model {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/document/command_ptr.h"
+#include "model/document/document.h"
 #include "model/maps/image_reading.h"
 #include "model/tools/selection.h"
 
