@@ -13,6 +13,10 @@
 #include <system_error>
 #include <utility>
 
+#ifdef Q_OS_WIN
+#include <windows.h>
+#endif
+
 namespace hairpaint::model {
 
 namespace {
@@ -25,6 +29,26 @@ bool isLink(const QFileInfo& info)
 bool isOrdinaryFile(const QFileInfo& info)
 {
     return !isLink(info) && info.isFile();
+}
+
+bool hasOtherNames(const QFileInfo& info)
+{
+#ifdef Q_OS_WIN
+    // GCC's library does not count them there.
+    constexpr DWORD kShared = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
+    HANDLE const handle = CreateFileW(info.filesystemFilePath().c_str(), FILE_READ_ATTRIBUTES, kShared, nullptr,
+                                      OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr);
+    if (handle == INVALID_HANDLE_VALUE)
+        return false;
+    BY_HANDLE_FILE_INFORMATION told{};
+    const bool isTold = GetFileInformationByHandle(handle, &told) != FALSE;
+    CloseHandle(handle);
+    return isTold && told.nNumberOfLinks > 1;
+#else
+    std::error_code problem;
+    const auto names = std::filesystem::hard_link_count(info.filesystemFilePath(), problem);
+    return !problem && names > 1;
+#endif
 }
 
 } // namespace
@@ -64,15 +88,13 @@ std::optional<OwnEntry> OwnFolder::entry(const QString& name) const
     const QFileInfo info(pathOf(name));
     if (!info.exists() && !isLink(info))
         return std::nullopt;
-    std::error_code problem;
-    const auto names = std::filesystem::hard_link_count(info.filesystemFilePath(), problem);
     return OwnEntry{.kind = isLink(info)    ? OwnEntry::Kind::Other
                             : info.isFile() ? OwnEntry::Kind::File
                             : info.isDir()  ? OwnEntry::Kind::Folder
                                             : OwnEntry::Kind::Other,
                     .size = info.size(),
                     .modifiedMs = info.lastModified().toMSecsSinceEpoch(),
-                    .hasOtherNames = !problem && names > 1};
+                    .hasOtherNames = model::hasOtherNames(info)};
 }
 
 bool OwnFolder::isNamed(const QFile& /*file*/, const QString& name) const
