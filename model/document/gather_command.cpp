@@ -106,7 +106,7 @@ LayerTiles parted(const sim::TiledRaster& layer, const sim::Skin& skin, const si
 {
     LayerTiles tiles;
     sim::TiledRaster painted = layer;
-    const float size = static_cast<float>(painted.size());
+    const auto size = static_cast<float>(painted.size());
     for (int index = 0; index < painted.tileCount(); ++index) {
         const sim::TexelRect rect = painted.tileRect(index);
         std::span<std::uint16_t> pixels;
