@@ -188,6 +188,25 @@ std::optional<std::array<sim::SurfacePoint, 2>> onBothSides(const sim::Skin& ski
     return std::array{point, *other};
 }
 
+void placeByHand(Worn& tie, const sim::SurfacePoint& point)
+{
+    standOn(tie, point);
+    tie.patch->placedByHand = true;
+}
+
+/// The painted layers, and the worn things that are after them.
+CommandPtr tiedCommand(Document& document, Project&& after, std::vector<LayerEdit>&& layers, const QString& text)
+{
+    Change change;
+    change.aspect = Change::Aspect::Environment;
+    std::vector<ShownPart> parts;
+    parts.push_back({change, [all = std::move(after.worn), nextId = after.nextId](Project& to) {
+                         to.worn = all;
+                         to.nextId = nextId;
+                     }});
+    return shownEditCommand(document, parts, std::move(layers), text);
+}
+
 } // namespace
 
 CommandPtr gatherCommand(Document& document, Id groupId, const WornSpec& spec, const sim::SurfacePoint& point,
@@ -228,17 +247,8 @@ CommandPtr gatherCommand(Document& document, Id groupId, const WornSpec& spec, c
     }
     if (there == nullptr)
         return nullptr;
-    Worn* tie = after.wornThing(there->id);
-    standOn(*tie, point);
-    tie->patch->placedByHand = true;
-    Change change;
-    change.aspect = Change::Aspect::Environment;
-    std::vector<ShownPart> parts;
-    parts.push_back({change, [all = std::move(after.worn), nextId = after.nextId](Project& to) {
-                         to.worn = all;
-                         to.nextId = nextId;
-                     }});
-    return shownEditCommand(document, parts, std::move(layers), text);
+    placeByHand(*after.wornThing(there->id), point);
+    return tiedCommand(document, std::move(after), std::move(layers), text);
 }
 
 CommandPtr gatherTwinsCommand(Document& document, Id groupId, const WornSpec& spec, const sim::SurfacePoint& point,
@@ -278,18 +288,10 @@ CommandPtr gatherTwinsCommand(Document& document, Id groupId, const WornSpec& sp
     if (ties[0] == nullptr || ties[1] == nullptr || ties[0] == ties[1])
         return nullptr;
     for (std::size_t side = 0; side < ties.size(); ++side) {
-        standOn(*ties.at(side), (*points).at(side));
-        ties.at(side)->patch->placedByHand = true;
+        placeByHand(*ties.at(side), (*points).at(side));
     }
-    Change change;
-    change.aspect = Change::Aspect::Environment;
-    std::vector<ShownPart> parts;
-    parts.push_back({change, [all = std::move(after.worn), nextId = after.nextId](Project& to) {
-                         to.worn = all;
-                         to.nextId = nextId;
-                     }});
-    return shownEditCommand(document, parts, std::move(layers),
-                            wornText(QT_TRANSLATE_NOOP("Worn", "Gather hair into twin tails")));
+    return tiedCommand(document, std::move(after), std::move(layers),
+                       wornText(QT_TRANSLATE_NOOP("Worn", "Gather hair into twin tails")));
 }
 
 } // namespace hairpaint::model
