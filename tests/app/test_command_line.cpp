@@ -286,7 +286,7 @@ private Q_SLOTS:
         process.start(QStringLiteral("/bin/sh"),
                       {QStringLiteral("-c"),
                        QStringLiteral("mkdir bytes && exec '%1' new -o \"bytes/$(printf 'caf\\351').hairpaint\"")
-                           .arg(test::hairpaintProgram())});
+                           .arg(hairpaintProgram())});
         QVERIFY(process.waitForFinished(kPatienceMs));
         QCOMPARE(process.exitCode(), 2);
         QCOMPARE(process.readAllStandardError().count('\n'), 1);
@@ -440,7 +440,7 @@ private Q_SLOTS:
         QVERIFY2(outcome.error.contains(words), qPrintable(outcome.error));
         QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
         // A command that works as it stands.
-        const QString command = test::hairpaintProgram() + QStringLiteral(" --help\n");
+        const QString command = hairpaintProgram() + QStringLiteral(" --help\n");
         QVERIFY2(outcome.error.endsWith(QLatin1Char(' ') + command), qPrintable(outcome.error));
     }
 #endif

@@ -42,7 +42,7 @@ private Q_SLOTS:
             for (const int one : {SIGTERM, SIGINT, SIGHUP})
                 std::signal(one, SIG_DFL); // Whatever the one who runs the tests ignores.
         });
-        program.start(test::hairpaintProgram(), QStringList());
+        program.start(hairpaintProgram(), QStringList());
         QByteArray said;
         const auto isOpen = [&] {
             said += program.readAllStandardError();
