@@ -2,6 +2,7 @@
 #include "app/window/clip_commands.h"
 
 #include "app/window/clip_data.h"
+#include "model/maps/texel_ops.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -73,7 +74,7 @@ void ClipCommands::fill()
     view::EditorState& editor = m_session.editor();
     const model::LayerAddress target = editor.target().address();
     const model::MapSpec& spec = model::mapSpec(target.map);
-    sim::Texel texel = editor.tools().settings().value(target.map).texel(spec);
+    sim::Texel texel = model::texelOf(spec, editor.tools().settings().value(target.map));
     texel[static_cast<std::size_t>(spec.valueChannels)] = 65535;
     m_session.document().push(model::fillCommand(m_session.document(), target, editor.tools().selection(), texel,
                                                  tr("Fill %1").arg(spec.titleText())));

@@ -98,13 +98,13 @@ struct EnvironmentPart
     friend bool operator==(const EnvironmentPart&, const EnvironmentPart&) = default;
 };
 
-struct HeadPart
+struct HeadSwapPart
 {
     std::shared_ptr<const Head> head;
     std::vector<Worn> worn;
     Id nextId = 1;
 
-    static HeadPart take(const Project& project, const Change& /*change*/)
+    static HeadSwapPart take(const Project& project, const Change& /*change*/)
     {
         return {project.head, project.worn, project.nextId};
     }
@@ -114,10 +114,10 @@ struct HeadPart
         project.worn = worn;
         project.nextId = nextId;
     }
-    friend bool operator==(const HeadPart& a, const HeadPart& b) { return a.head == b.head; }
+    friend bool operator==(const HeadSwapPart& a, const HeadSwapPart& b) { return a.head == b.head; }
 };
 
-using Part = std::variant<GroupsPart, StackPart, SettingsPart, EnvironmentPart, HeadPart>;
+using Part = std::variant<GroupsPart, StackPart, SettingsPart, EnvironmentPart, HeadSwapPart>;
 
 Part partOf(const Project& project, const Change& change)
 {
@@ -129,7 +129,7 @@ Part partOf(const Project& project, const Change& change)
     case Change::Aspect::Environment:
         return EnvironmentPart::take(project, change);
     case Change::Aspect::Head:
-        return HeadPart::take(project, change);
+        return HeadSwapPart::take(project, change);
     default:
         return GroupsPart::take(project, change);
     }

@@ -3,6 +3,7 @@
 
 #include "model/files/head_file.h"
 #include "model/heads/built_in_heads.h"
+#include "model/maps/texel_ops.h"
 #include "model/styles/hair_kinds.h"
 #include "model/styles/style_transfer.h"
 #include "model/values/texel_math.h"
@@ -133,7 +134,7 @@ HairGroup grown(Project& project, const FaceGroup& what, const Head& head)
     PaintValue brown;
     brown.colour = QColor::fromRgb(kBrown);
     const MapSpec& colour = mapSpec(MapKind::Colour);
-    sim::Texel texel = brown.texel(colour);
+    sim::Texel texel = texelOf(colour, brown);
     texel[static_cast<std::size_t>(colour.valueChannels)] = 65535;
     Layer& layer = group.map(MapKind::Colour).layers.front();
     layer.raster = sim::TiledRaster(layer.raster.size(), layer.raster.channels(), texel);

@@ -87,11 +87,11 @@ public:
     }
 
     /// What it is; None where it is no braid.
-    [[nodiscard]] std::optional<Braid> braid()
+    [[nodiscard]] std::optional<FoundBraid> braid()
     {
         findSkeleton();
         const std::size_t end = endOfBundle();
-        Braid braid;
+        FoundBraid braid;
         for (std::size_t step = 1; step <= end; ++step)
             braid.lengthM += glm::distance(m_skeletonHd[step - 1], m_skeletonHd[step]);
         if (static_cast<float>(end) < kLeastBraided * static_cast<float>(kSteps) || braid.lengthM < kShortestBraidM)
@@ -304,7 +304,7 @@ private:
 
     /// Fills kind and radius. Mean squares of distances, in units of the radius: of a wisp's path, and of a hair in
     /// its wisp, half its square.
-    [[nodiscard]] bool isOf(Braid& braid) const
+    [[nodiscard]] bool isOf(FoundBraid& braid) const
     {
         const auto [fraction, distanceM] = weave();
         const auto radiusBy = [distance = distanceM](float path, float wisp) {
@@ -347,10 +347,10 @@ private:
 
 } // namespace
 
-std::optional<Braid> braidOf(const ForeignStrands& strands, const CurveTransform& transform, const HeadStrands& onHead,
-                             const std::vector<std::uint32_t>& members)
+std::optional<FoundBraid> braidOf(const ForeignStrands& strands, const CurveTransform& transform,
+                                  const HeadStrands& onHead, const std::vector<std::uint32_t>& members)
 {
-    std::optional<Braid> braid = Bundle(strands, transform, onHead, members).braid();
+    std::optional<FoundBraid> braid = Bundle(strands, transform, onHead, members).braid();
     if (braid)
         braid->strands = members;
     return braid;

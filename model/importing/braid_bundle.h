@@ -10,7 +10,7 @@
 
 namespace hairpaint::model {
 
-struct Braid
+struct FoundBraid
 {
     sim::BraidKind kind = sim::BraidKind::None;
     float lengthM = 0.0F;                    ///< Of its skeleton, from where its hairs come together to its end.
@@ -20,7 +20,7 @@ struct Braid
 
 /// What strands of `onHead` whose tips are together are; none where that is no braid. `members`: at least one, of
 /// two points or more each.
-[[nodiscard]] std::optional<Braid> braidOf(const ForeignStrands& strands, const CurveTransform& transform,
-                                           const HeadStrands& onHead, const std::vector<std::uint32_t>& members);
+[[nodiscard]] std::optional<FoundBraid> braidOf(const ForeignStrands& strands, const CurveTransform& transform,
+                                                const HeadStrands& onHead, const std::vector<std::uint32_t>& members);
 
 } // namespace hairpaint::model

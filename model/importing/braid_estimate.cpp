@@ -80,12 +80,12 @@ void setSpacing(std::span<const glm::vec3> rootsHd, std::span<const glm::vec3> m
 }
 
 /// Writes braids into their strands.
-void tell(std::span<const Braid> braids, HeadStrands& onHead)
+void tell(std::span<const FoundBraid> braids, HeadStrands& onHead)
 {
     std::vector<float> radiiM;
     std::vector<glm::vec3> rootsHd;   // Of all that are braided,
     std::vector<glm::vec3> middlesHd; // and their mean, of each braid.
-    for (const Braid& braid : braids) {
+    for (const FoundBraid& braid : braids) {
         radiiM.push_back(braid.radiusM);
         glm::vec3& middleHd = middlesHd.emplace_back(0.0F);
         for (const std::uint32_t index : braid.strands) {
@@ -112,14 +112,14 @@ bool estimateBraids(const ForeignStrands& strands, const CurveTransform& transfo
         tipsHd.push_back(transform.toHd(strands.strand(strand.source).back()));
     const std::vector<std::vector<std::uint32_t>> bundles = touchingSets(tipsHd, kTipCellM);
     const std::size_t fewest = std::max(kFewestStrands, onHead.strands.size() / kFewestOf);
-    std::vector<Braid> braids;
+    std::vector<FoundBraid> braids;
     std::size_t braided = 0;
     for (std::size_t i = 0; i < bundles.size(); ++i) {
         if (progress && !progress(static_cast<double>(i) / static_cast<double>(bundles.size())))
             return false;
         if (bundles[i].size() < fewest || !isNarrow(bundles[i], tipsHd))
             continue;
-        std::optional<Braid> braid = braidOf(strands, transform, onHead, bundles[i]);
+        std::optional<FoundBraid> braid = braidOf(strands, transform, onHead, bundles[i]);
         if (!braid)
             continue;
         braided += bundles[i].size();

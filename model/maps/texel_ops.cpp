@@ -252,9 +252,9 @@ const TexelOps& texelOps(TexelKind kind)
     return kOps[static_cast<std::size_t>(kind)];
 }
 
-sim::Texel PaintValue::texel(const MapSpec& spec) const
+sim::Texel texelOf(const MapSpec& spec, const PaintValue& value)
 {
-    return texelOps(spec).texel(*this);
+    return texelOps(spec).texel(value);
 }
 
 QRgb colourOfTexel(const MapSpec& spec, const sim::Texel& texel, bool nightPaper)

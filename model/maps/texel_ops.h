@@ -62,6 +62,8 @@ struct TexelOps
     return texelOps(spec.texel);
 }
 
+/// What is painted as a map's texel, without coverage.
+[[nodiscard]] sim::Texel texelOf(const MapSpec& spec, const PaintValue& value);
 /// One map texel's colour.
 [[nodiscard]] QRgb colourOfTexel(const MapSpec& spec, const sim::Texel& texel, bool nightPaper);
 

@@ -46,8 +46,6 @@ struct PaintValue
     QColor colour = QColor(0x5A, 0x38, 0x22);
     glm::vec2 direction{0.0F, -0.9F}; ///< In the frame of the root: down the map, nearly flat.
     friend bool operator==(const PaintValue&, const PaintValue&) = default;
-    /// As a raster's texel, without coverage.
-    [[nodiscard]] sim::Texel texel(const MapSpec& spec) const;
 };
 
 struct MapSpec

@@ -1,5 +1,6 @@
 // The brush and the eraser: a disc on the skin, dabbed along the pointer's path.
 #include "model/maps/compositor.h"
+#include "model/maps/texel_ops.h"
 #include "model/tools/brush_path.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirror.h"
@@ -95,7 +96,7 @@ void BrushTool::press(const ToolEvent& event, ToolContext& context)
                    kLeastStepTx / static_cast<float>(m_edit.size()));
     m_roots.emplace(context, m_edit.size());
     m_tips = TipStarts::in(m_edit, context);
-    m_paint = {.value = context.settings.value(context.target.map).texel(m_edit.spec()),
+    m_paint = {.value = texelOf(m_edit.spec(), context.settings.value(context.target.map)),
                .opacity = unit16(context.settings.opacity),
                .erase = m_erases};
     if (event.modifiers.testFlag(Qt::ShiftModifier) && m_last) {

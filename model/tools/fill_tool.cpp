@@ -1,5 +1,6 @@
 // Flood fill: the connected texels of the skin whose value is like the one clicked.
 #include "model/maps/compositor.h"
+#include "model/maps/texel_ops.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirror.h"
 #include "model/tools/picker_tool.h"
@@ -142,7 +143,7 @@ private:
         filled.add(flood.filled());
         filled.keepInside(m_edit.clips());
         const std::optional<sim::SurfacePoint> at = hasSkin ? head->skin->atUv(uv) : std::nullopt;
-        const sim::Texel value = context.settings.value(context.target.map).texel(m_edit.spec());
+        const sim::Texel value = texelOf(m_edit.spec(), context.settings.value(context.target.map));
         const sim::Texel twin = mirroredValue(m_edit.spec(), value, head, at);
         show(filled, {.value = value, .opacity = unit16(context.settings.opacity)}, twin, near.grown(kBleedTx));
     }

@@ -1,5 +1,6 @@
 // Linear and radial gradients over the map or the selection, live while they are dragged.
 #include "model/maps/compositor.h"
+#include "model/maps/texel_ops.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirror.h"
 #include "model/tools/picker_tool.h"
@@ -126,8 +127,8 @@ private:
         const auto size = static_cast<float>(m_edit.size());
         const auto texel = [size](glm::vec2 uv) { return glm::vec2(uv.x, 1.0F - uv.y) * size; };
         const GradientKind kind = context.settings.gradient;
-        GradientPaint paint{.first = context.settings.value(spec.kind).texel(spec),
-                            .second = context.settings.secondValue(spec.kind).texel(spec),
+        GradientPaint paint{.first = texelOf(spec, context.settings.value(spec.kind)),
+                            .second = texelOf(spec, context.settings.secondValue(spec.kind)),
                             .ramps = {Ramp(kind, texel(m_startUv), texel(m_endUv))},
                             .opacity = unit16(context.settings.opacity)};
         paint.twinFirst = paint.first;

@@ -1,5 +1,6 @@
 // Filled rectangles, ellipses and polygons.
 #include "model/maps/compositor.h"
+#include "model/maps/texel_ops.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirror.h"
 #include "model/tools/picker_tool.h"
@@ -234,7 +235,7 @@ void ShapeTool::show(const ToolContext& context)
         if (twin.size() == outline.size())
             add(twinBuffer, ShapeMask(inTexels(twin), size), false);
     }
-    const TilePaint paint{.value = context.settings.value(context.target.map).texel(m_edit.spec()),
+    const TilePaint paint{.value = texelOf(m_edit.spec(), context.settings.value(context.target.map)),
                           .opacity = unit16(context.settings.opacity)};
     TilePaint twinPaint = paint;
     twinPaint.value = mirroredValue(m_edit.spec(), paint.value, head, m_start);

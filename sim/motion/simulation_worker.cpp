@@ -49,13 +49,13 @@ constexpr float kLeastDetail = 1.0F / 1024.0F;
 constexpr double kLongestTickSeconds = 1.0 / 30.0;
 /// What hair that is all new falls before it is first seen, unless it takes longer than that.
 constexpr double kFirstFallSeconds = 5.0;
-constexpr std::chrono::milliseconds kLongestFall(150);
 
 } // namespace
 
 struct SimulationWorker::State
 {
     std::function<void()> onFrame;
+    std::chrono::milliseconds longestFall;
     Mailbox<Requests> requests;
     Mailbox<std::shared_ptr<const StrandFrame>> frames;
     Mailbox<std::uint64_t> failed; ///< The content's revision.
@@ -70,8 +70,9 @@ namespace {
 class Runner
 {
 public:
-    Runner(Mailbox<std::shared_ptr<const StrandFrame>>& frames, const std::function<void()>& onFrame)
-        : m_frames(frames), m_onFrame(onFrame)
+    Runner(Mailbox<std::shared_ptr<const StrandFrame>>& frames, const std::function<void()>& onFrame,
+           std::chrono::milliseconds longestFall)
+        : m_frames(frames), m_onFrame(onFrame), m_longestFall(longestFall)
     {}
 
     /// Nothing will move until something arrives.
@@ -165,13 +166,14 @@ private:
     void bringToRest()
     {
         constexpr double kAtOnceSeconds = 0.2;
-        const Clock::time_point latest = Clock::now() + kLongestFall;
+        const Clock::time_point latest = Clock::now() + m_longestFall;
         for (double fallen = 0.0; fallen < kFirstFallSeconds && Clock::now() < latest; fallen += kAtOnceSeconds)
             m_simulation->settle(kAtOnceSeconds);
     }
 
     Mailbox<std::shared_ptr<const StrandFrame>>& m_frames;
     const std::function<void()>& m_onFrame;
+    const std::chrono::milliseconds m_longestFall;
     std::unique_ptr<Simulation> m_simulation = std::make_unique<Simulation>(); ///< Null: it failed.
     GroomInput m_input;                                                        ///< The last of each that was asked for.
     Wind m_wind;
@@ -192,7 +194,7 @@ private:
 void SimulationWorker::State::run()
 {
     const ArenaScope arena(Arena::Simulation);
-    Runner runner(frames, onFrame);
+    Runner runner(frames, onFrame, longestFall);
     for (;;) {
         std::optional<Requests> arrived;
         if (runner.idle()) {
@@ -220,9 +222,11 @@ void SimulationWorker::State::run()
     }
 }
 
-SimulationWorker::SimulationWorker(std::function<void()> onFrame) : m_state(std::make_unique<State>())
+SimulationWorker::SimulationWorker(std::function<void()> onFrame, std::chrono::milliseconds longestFall)
+    : m_state(std::make_unique<State>())
 {
     m_state->onFrame = std::move(onFrame);
+    m_state->longestFall = longestFall;
     m_state->thread = std::thread([state = m_state.get()] { state->run(); });
 }
 

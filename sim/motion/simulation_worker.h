@@ -5,6 +5,7 @@
 #include "sim/motion/strand_frame.h"
 #include "sim/motion/wind.h"
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -20,7 +21,9 @@ namespace hairpaint::sim {
 class SimulationWorker
 {
 public:
-    explicit SimulationWorker(std::function<void()> onFrame);
+    /// `longestFall`: after so long new hair is shown as far as it has fallen, see setInput.
+    explicit SimulationWorker(std::function<void()> onFrame,
+                              std::chrono::milliseconds longestFall = std::chrono::milliseconds(150));
     ~SimulationWorker(); ///< Stops and joins.
     SimulationWorker(const SimulationWorker&) = delete;
     SimulationWorker& operator=(const SimulationWorker&) = delete;

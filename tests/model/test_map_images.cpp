@@ -3,6 +3,7 @@
 #include "model/exporting/map_images.h"
 #include "model/exporting/uv_sheet.h"
 #include "model/files/image_map.h"
+#include "model/maps/texel_ops.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/fixtures.h"
 #include "tests/model/sample_project.h"
@@ -78,7 +79,7 @@ private Q_SLOTS:
         const auto channel = static_cast<std::size_t>(spec.valueChannels);
         for (int y = 64; y < 128; ++y)
             for (int x = 64; x < 200; ++x) {
-                sim::Texel texel = spec.firstPaint.texel(spec);
+                sim::Texel texel = texelOf(spec, spec.firstPaint);
                 texel[channel] = static_cast<std::uint16_t>(x * 300);
                 layer.setTexel(x, y, texel);
             }

@@ -6,6 +6,7 @@
 #include "model/files/project_file.h"
 #include "model/heads/built_in_heads.h"
 #include "model/styles/style_transfer.h"
+#include "model/styles/style_use.h"
 #include "model/styles/uv_correspondence.h"
 #include "sim/groom/direction_texel.h"
 #include "sim/skin/landmark_search.h"

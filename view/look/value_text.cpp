@@ -50,7 +50,7 @@ QString rangeText(const sim::GroupSettings& settings, const model::MapSpec& spec
 
 QColor valueColour(const model::MapSpec& spec, const model::PaintValue& value, bool nightPaper)
 {
-    return QColor::fromRgb(model::shownTexel(spec, value.texel(spec), nightPaper));
+    return QColor::fromRgb(model::shownTexel(spec, model::texelOf(spec, value), nightPaper));
 }
 
 model::PaintValue valueOfTexel(const model::MapSpec& spec, const sim::Texel& texel)

@@ -63,8 +63,8 @@ bool alike(const MapSpec& spec, const PaintValue& a, const PaintValue& b)
 {
     constexpr int kStep = 131; ///< Half a step of eight bits.
     const int tolerance = model::texelOps(spec).continuous ? kStep : 0;
-    const sim::Texel one = a.texel(spec);
-    const sim::Texel other = b.texel(spec);
+    const sim::Texel one = model::texelOf(spec, a);
+    const sim::Texel other = model::texelOf(spec, b);
     return std::ranges::equal(one, other, [tolerance](std::uint16_t x, std::uint16_t y) {
         return std::abs(static_cast<int>(x) - static_cast<int>(y)) <= tolerance;
     });
