@@ -8,6 +8,7 @@
 #include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
+#include "model/project/worn.h"
 #include "model/styles/style_transfer.h"
 #include "model/styles/style_use.h"
 
@@ -15,6 +16,9 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include <glm/geometric.hpp>
+
+#include <numbers>
 #include <utility>
 
 namespace hairpaint::app {
@@ -24,6 +28,7 @@ namespace {
 constexpr QSize kPictureSize(192, 192);
 constexpr QSize kWholeSize(480, 480);
 constexpr QRect kHeadPart(105, 18, 276, 276); ///< Of the whole picture: the bust's foot is no hair.
+constexpr float kHiddenCosine = -0.1F;        ///< Between the ways from the middle to a tie and to the eye.
 constexpr int kSteps = 10;
 constexpr double kStepSeconds = 0.2;
 constexpr qsizetype kMostKept = 500; ///< Pictures in the cache.
@@ -51,6 +56,26 @@ void keep(const QImage& picture, const QString& path)
     const QStringList newestFirst = folder.entryList({QStringLiteral("*.png")}, QDir::Files, QDir::Time);
     for (const QString& old : newestFirst.mid(kMostKept))
         folder.remove(old);
+}
+
+/// From ahead, unless all that hair is tied with lies behind the head, where it would hardly be seen.
+rendering::Camera cameraOf(const model::Project& project)
+{
+    rendering::Camera camera =
+        rendering::standardCamera(rendering::StandardView::ThreeQuarter, project.head->skin->mesh());
+    const glm::vec3 towardEye = glm::normalize(camera.eyeWo() - camera.targetWo);
+    bool isTied = false;
+    bool isSeen = false;
+    for (const model::Worn& one : project.worn) {
+        if (!model::wornSpec(one.kind).tie)
+            continue;
+        isTied = true;
+        const glm::vec3 from = one.shape.centreHd - camera.targetWo;
+        isSeen = isSeen || glm::dot(from, towardEye) > kHiddenCosine * glm::length(from);
+    }
+    if (isTied && !isSeen)
+        camera.azimuthRad = std::numbers::pi_v<float> - camera.azimuthRad;
+    return camera;
 }
 
 /// Two calm seconds, less the step that it began with; false where it is stopped.
@@ -138,10 +163,7 @@ QImage projectPicture(const model::Project& project, const model::Progress& prog
 QImage stylePicture(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame, PictureMaker& maker,
                     const model::Progress& progress)
 {
-    const model::Result<QImage> whole =
-        maker.take(project, std::move(frame),
-                   rendering::standardCamera(rendering::StandardView::ThreeQuarter, project.head->skin->mesh()),
-                   kWholeSize, progress);
+    const model::Result<QImage> whole = maker.take(project, std::move(frame), cameraOf(project), kWholeSize, progress);
     if (!whole)
         return {};
     return whole->copy(kHeadPart).scaled(kPictureSize, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);

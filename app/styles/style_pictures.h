@@ -17,7 +17,8 @@ namespace hairpaint::app {
 
 class PictureMaker;
 
-/// The style as it hangs on the head of new projects after two calm seconds. Null where `progress` stops it.
+/// The style as it hangs on the head of new projects after two calm seconds, from ahead or, where all its ties are
+/// hidden there, from behind. Null where `progress` stops it.
 [[nodiscard]] QImage stylePicture(const model::Preset& preset, PictureMaker& maker,
                                   const model::Progress& progress = {});
 /// The style on that project's head, seen by a camera, likewise after two calm seconds. Any thread.

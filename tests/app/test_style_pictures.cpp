@@ -3,6 +3,7 @@
 #include "app/styles/style_pictures.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
+#include "model/project/worn.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/file_faults.h"
 #include "tests/support/test_program.h"
@@ -10,6 +11,7 @@
 #include <QDir>
 #include <QSignalSpy>
 
+#include <cstdlib>
 #include <optional>
 
 #ifdef Q_OS_LINUX
@@ -24,6 +26,16 @@ QByteArray bytesOf(const QString& path)
 {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Of the grey values, 0..255.
+double meanDifference(const QImage& a, const QImage& b)
+{
+    double sum = 0.0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            sum += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y)));
+    return sum / (static_cast<double>(a.width()) * a.height());
 }
 
 QImage plain(QColor colour)
@@ -65,6 +77,22 @@ private Q_SLOTS:
         QCOMPARE(made.front().at(0).toString(), path);
         QCOMPARE(made.front().at(1).value<QImage>().size(), QSize(192, 192));
         QVERIFY(bytesOf(path) == before);
+    }
+
+    void aTieBehindTheHeadIsSeen()
+    {
+        const auto pictureWithTie = [](glm::vec3 towardHd) {
+            model::Project project = test::smallProject();
+            if (towardHd != glm::vec3(0.0F)) {
+                const sim::SurfacePoint point = project.head->skin->nearest(towardHd);
+                project.worn.push_back(model::makeWorn(model::wornSpec(model::WornKind::Ponytail), point, 0));
+            }
+            return projectPicture(project);
+        };
+        const QImage without = pictureWithTie(glm::vec3(0.0F));
+        QVERIFY(!without.isNull());
+        QVERIFY(meanDifference(pictureWithTie({0.0F, 0.1F, 0.2F}), without) < 1.0);
+        QVERIFY(meanDifference(pictureWithTie({0.0F, 0.0F, -0.2F}), without) > 3.0);
     }
 
     void aPictureIsDrawnOnceForWhatAFileHolds()
