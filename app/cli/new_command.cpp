@@ -5,6 +5,7 @@
 #include "app/cli/space_options.h"
 #include "app/cli/terminal.h"
 #include "app/styles/library.h"
+#include "model/document/scene_commands.h"
 #include "model/files/image_map.h"
 #include "model/files/map_names.h"
 #include "model/files/project_file.h"
@@ -186,7 +187,7 @@ ExitCode runNew(const QStringList& arguments)
             lines.append(QStringLiteral("%1: %2").arg(model::shownPath(mesh), remark));
         if (!lines.isEmpty())
             (void)printLines(lines);
-        project.head = std::move(head->head);
+        model::putHead(project, head->head);
         project.setShapesOfHead(head->ellipsoids);
     }
     if (const QString name = parser.value(QStringLiteral("preset")); !name.isEmpty()) {
