@@ -167,10 +167,6 @@
         <translation>un estilo de la biblioteca</translation>
     </message>
     <message>
-        <source>an image as a map: a grey one by its brightness, one in colours by the scale of the map; with :grey by its brightness in any case</source>
-        <translation>una imagen como mapa: si es gris, por su brillo; si tiene colores, por la escala del mapa; con :grey, siempre por su brillo</translation>
-    </message>
-    <message>
         <source>another drawing of the roots; 1 unless given</source>
         <translation>otro reparto de las raíces; 1 si no se da</translation>
     </message>
@@ -578,6 +574,18 @@
     <message>
         <source>a uv layout made anew, in which no two points share a texel</source>
         <translation>un despliegue uv hecho de nuevo, en el que no hay dos puntos que compartan un téxel</translation>
+    </message>
+    <message>
+        <source>The head of &apos;%1&apos; has no picture of its own; choose another --skin.</source>
+        <translation>La cabeza de «%1» no tiene imagen propia; elige otro --skin.</translation>
+    </message>
+    <message>
+        <source>an image as a map: a grey one by its brightness, one in colours by the scale of the map; with :grey by its brightness in any case; IMAGE.&lt;UDIM&gt;.png takes an image for each uv tile</source>
+        <translation>una imagen como mapa: si es gris, por su brillo; si tiene colores, por la escala del mapa; con :grey, siempre por su brillo; IMAGE.&lt;UDIM&gt;.png toma una imagen por cada mosaico uv</translation>
+    </message>
+    <message>
+        <source>an image for each uv tile of the head, in its own layout: Scalp-density.1001.png</source>
+        <translation>una imagen por cada mosaico uv de la cabeza, en su propio despliegue: Scalp-density.1001.png</translation>
     </message>
 </context>
 <context>
@@ -1393,10 +1401,6 @@
         <translation>sus curvas son NURBS, que no se leen; expórtalas como curvas de base (BasisCurves)</translation>
     </message>
     <message>
-        <source>its hair is in other files, which it refers to; export it flattened into one</source>
-        <translation>su pelo está en otros archivos a los que remite; expórtalo aplanado en uno solo</translation>
-    </message>
-    <message>
         <source>it has no part &apos;%1&apos;; it has %2</source>
         <translation>no tiene ninguna parte «%1»; tiene %2</translation>
     </message>
@@ -1423,6 +1427,30 @@
     <message>
         <source>parts of its skin share %1 % of the texels: what is painted on one grows on all; a layout of our own parts them</source>
         <translation>partes de su piel comparten el %1 % de los téxeles: lo que se pinta en una crece en todas; un despliegue propio las separa</translation>
+    </message>
+    <message>
+        <source>several layouts of the head lie in its tile %1, so images by tile would lie over each other; write one image a map</source>
+        <translation>varios despliegues de la cabeza están en su mosaico %1, así que las imágenes por mosaico quedarían unas sobre otras; escribe una imagen por mapa</translation>
+    </message>
+    <message>
+        <source>several layouts of the head lie in its tile %1, so images by tile can&apos;t be told apart; paint on one image of all of the map</source>
+        <translation>varios despliegues de la cabeza están en su mosaico %1, así que las imágenes por mosaico no se pueden distinguir; pinta en una imagen de todo el mapa</translation>
+    </message>
+    <message>
+        <source>none of its tiles is one of the head&apos;s, as %1 is</source>
+        <translation>ninguno de sus mosaicos es de la cabeza, como lo es %1</translation>
+    </message>
+    <message>
+        <source>tiles that the head has not are left out: %1</source>
+        <translation>se dejan fuera los mosaicos que la cabeza no tiene: %1</translation>
+    </message>
+    <message>
+        <source>no file of that name has a tile&apos;s number instead of &lt;UDIM&gt;, as &apos;%1&apos; would</source>
+        <translation>ningún archivo de ese nombre tiene el número de un mosaico en lugar de &lt;UDIM&gt;, como lo tendría «%1»</translation>
+    </message>
+    <message>
+        <source>its hair is in other files, which are no USD text beside it: %1; export it flattened into one</source>
+        <translation>su pelo está en otros archivos, que no son texto USD junto a él: %1; expórtalo aplanado en uno solo</translation>
     </message>
 </context>
 <context>
@@ -3108,6 +3136,10 @@
     <message>
         <source>Deep</source>
         <translation>Oscura</translation>
+    </message>
+    <message>
+        <source>The head&apos;s own picture</source>
+        <translation>La imagen propia de la cabeza</translation>
     </message>
 </context>
 <context>
@@ -5646,6 +5678,18 @@ Se ha perdido esto:</translation>
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>UV &amp;tiles</source>
+        <translation>M&amp;osaicos UV</translation>
+    </message>
+    <message>
+        <source>Side by side on one image</source>
+        <translation>Uno junto a otro en una imagen</translation>
+    </message>
+    <message>
+        <source>An image each: %1</source>
+        <translation>Una imagen cada uno: %1</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 #include "model/exporting/export_format.h"
 #include "model/exporting/map_images.h"
 #include "model/exporting/uv_sheet.h"
+#include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "model/values/sentences.h"
 
@@ -141,7 +142,7 @@ model::Result<void> checkShapes(const QString& output, const Film& film, const Q
 QString uselessOption(const QCommandLineParser& parser)
 {
     constexpr std::array kOfHair = {"target", "settle", "hairs", "wind", "motion", "frames", "fps"};
-    constexpr std::array kOfMaps = {"image", "depth", "grey"};
+    constexpr std::array kOfMaps = {"image", "depth", "grey", "udim"};
     const auto isGiven = [&parser](const char* name) { return parser.isSet(QString::fromLatin1(name)); };
     const auto* const ofHair = std::ranges::find_if(kOfHair, isGiven);
     const QString useless = ofHair != kOfHair.end() ? QString::fromLatin1(*ofHair) : givenFormatOption(parser);
@@ -170,7 +171,7 @@ ExitCode runExport(const QStringList& arguments)
     tl::expected<model::ExportRequest, QString> request = readRequest(parser, output);
     if (!request)
         return wrongUsage(kExport, request.error());
-    const tl::expected<model::MapImageOptions, QString> mapOptions = readMapOptions(parser);
+    tl::expected<model::MapImageOptions, QString> mapOptions = readMapOptions(parser);
     if (!mapOptions)
         return wrongUsage(kExport, mapOptions.error());
     if (!sheet.isEmpty() && !model::isUvSheet(sheet))
@@ -211,6 +212,8 @@ ExitCode runExport(const QStringList& arguments)
         if (const model::Result<void> written = model::writeUvSheet(project->head->skin->mesh(), sheet); !written)
             return failed(written.error());
     if (!mapFolder.isEmpty()) {
+        if (parser.isSet(QStringLiteral("udim")))
+            mapOptions->tiles = model::tilesOf(project->head);
         QDir().mkpath(mapFolder); // Where it can't be made, writing says so.
         const Interruption interruption;
         if (const model::Result<void> written = model::writeMapImages(wantedMapsOf(*project, *groups), mapFolder,

@@ -5,9 +5,11 @@
 #include "app/cli/space_options.h"
 #include "app/cli/terminal.h"
 #include "app/styles/library.h"
-#include "model/files/image_map.h"
+#include "model/document/scene_commands.h"
 #include "model/files/map_names.h"
+#include "model/files/map_source.h"
 #include "model/files/project_file.h"
+#include "model/files/tile_names.h"
 #include "model/importing/curve_import.h"
 #include "model/project/content_budget.h"
 #include "model/styles/group_adoption.h"
@@ -79,11 +81,14 @@ model::Result<std::vector<MapArgument>> mapsOfFolder(const model::Project& proje
     for (const QString& ending : model::imageEndings())
         patterns += QStringLiteral("*.") + ending;
     std::vector<MapArgument> maps;
+    QStringList paths;
     for (const QFileInfo& file : QDir(folder).entryInfoList(patterns, QDir::Files, QDir::Name))
-        if (const std::optional<model::NamedMap> named = model::mapNamedBy(file.filePath(), project.groups))
+        paths.append(file.filePath());
+    for (const QString& path : model::tilePatternsOf(paths, model::tilesOf(project.head)))
+        if (const std::optional<model::NamedMap> named = model::mapNamedBy(path, project.groups))
             maps.push_back({.group = named->group ? project.groups[*named->group].name : QString(),
                             .spec = &model::mapSpec(named->kind),
-                            .image = file.filePath()});
+                            .image = path});
     if (maps.empty())
         return model::failure(CommandLine::tr("'%1' holds no image that is named after a map, as head_density.png is; "
                                               "rename them or choose another folder.")
@@ -99,14 +104,20 @@ model::Result<void> importMap(model::Project& project, model::ImporterClient& cl
             CommandLine::tr("'%1' goes to the hair group '%2', and the project has none of that name; "
                             "name one that it has.")
                 .arg(argument.image, argument.group));
-    model::Result<model::ImageLayer> image = model::layerFromFile(
-        client, argument.image, *argument.spec, argument.grey ? std::optional(true) : std::nullopt, 0);
+    const model::UvTiles tiles = model::tilesOf(project.head);
+    const QString path = model::tilePatternOf(argument.image, tiles);
+    std::vector<int> leftOut;
+    model::Result<model::ImageLayer> image = model::layerFromPath(
+        client, path, *argument.spec, argument.grey ? std::optional(true) : std::nullopt, tiles, &leftOut);
     if (!image)
         return tl::unexpected(image.error());
+    if (!leftOut.empty())
+        (void)printLines({QStringLiteral("%1: %2").arg(model::shownPath(path), model::leftOutTiles(leftOut))});
     model::MapStack& stack = group->map(argument.spec->kind);
     stack.size = image->raster.size();
     stack.layers.clear();
-    model::Layer layer = model::makeLayer(project, *argument.spec, stack.size, QFileInfo(argument.image).baseName());
+    model::Layer layer =
+        model::makeLayer(project, *argument.spec, stack.size, model::mapTitleOf(path).section(QLatin1Char('.'), 0, 0));
     layer.raster = std::move(image->raster);
     stack.layers.push_back(std::move(layer));
     return {};
@@ -186,7 +197,7 @@ ExitCode runNew(const QStringList& arguments)
             lines.append(QStringLiteral("%1: %2").arg(model::shownPath(mesh), remark));
         if (!lines.isEmpty())
             (void)printLines(lines);
-        project.head = std::move(head->head);
+        model::putHead(project, head->head);
         project.setShapesOfHead(head->ellipsoids);
     }
     if (const QString name = parser.value(QStringLiteral("preset")); !name.isEmpty()) {

@@ -239,6 +239,9 @@ ExitCode runRender(const QStringList& arguments)
     model::Result<model::Project> project = model::loadProject(files->front());
     if (!project)
         return failed(project.error());
+    if (options->skin == model::SkinTone::Own && !(project->head && project->head->texture))
+        return failed({CommandLine::tr("The head of '%1' has no picture of its own; choose another --skin.")
+                           .arg(model::shownPath(files->front()))});
     project->skin = options->skin.value_or(project->skin);
     if (options->light != nullptr)
         project->light = options->light->appliedTo(project->light);

@@ -114,7 +114,7 @@ std::vector<CommandOption> newOptions()
          CommandLine::tr("that points up in those files: y or z; as they say, or as it fits, unless given")},
         {QStringLiteral("--map [GROUP/]KIND[:grey]=IMAGE"),
          CommandLine::tr("an image as a map: a grey one by its brightness, one in colours by the scale of the map; "
-                         "with :grey by its brightness in any case"),
+                         "with :grey by its brightness in any case; IMAGE.<UDIM>.png takes an image for each uv tile"),
          Use::Repeated},
         {QStringLiteral("--maps FOLDER"),
          CommandLine::tr("each image of it as the map that its name tells: Scalp-density.png, head_length.0001.exr")},
@@ -159,6 +159,8 @@ std::vector<CommandOption> exportOptions()
              .arg(listOf(model::mapImageSuffixes()), model::mapImageSuffixes().front())},
         {QStringLiteral("--depth 8|16"), CommandLine::tr("8 or 16 a channel of png and tif; 16 unless given")},
         {QStringLiteral("--grey"), CommandLine::tr("values as brightness instead of the scales' colours")},
+        {QStringLiteral("--udim"),
+         CommandLine::tr("an image for each uv tile of the head, in its own layout: Scalp-density.1001.png")},
         {QStringLiteral("--uv-sheet FILE.pdf|.svg"),
          CommandLine::tr("writes the head's UV layout as a sheet to print and draw on")},
     };

@@ -3,9 +3,12 @@
 
 #include "model/document/layer_commands.h"
 #include "model/exporting/uv_sheet.h"
+#include "model/files/head_file.h"
 #include "model/files/image_map.h"
 #include "model/files/importer_client.h"
 #include "model/files/map_names.h"
+#include "model/files/map_source.h"
+#include "model/files/tile_names.h"
 #include "model/values/names.h"
 #include "model/values/sentences.h"
 #include "view/dialogs/map_table_dialog.h"
@@ -46,16 +49,16 @@ QImage previewOf(const sim::TiledRaster& layer, const model::MapSpec& spec)
 }
 
 /// Empty where there is not enough memory.
-view::ReadingPreview previewsOf(const model::ForeignImage& image, const model::MapSpec& spec)
+view::ReadingPreview previewsOf(const model::MapSource& source, const model::MapSpec& spec)
 {
     const auto one = [&](bool grey) {
-        const model::Result<sim::TiledRaster> layer = model::layerFromImage(image, spec, grey, kPreviewPixels);
-        return layer ? previewOf(*layer, spec) : QImage();
+        const model::Result<model::ImageLayer> layer = model::layerFromSource(source, spec, grey, kPreviewPixels);
+        return layer ? previewOf(layer->raster, spec) : QImage();
     };
     return {.asScale = one(false), .asValue = one(true)};
 }
 
-model::ForeignImage foreignFrom(const QImage& image)
+model::MapSource sourceFrom(const QImage& image)
 {
     const QImage small = image.scaled(kPreviewPixels, kPreviewPixels).convertToFormat(QImage::Format_RGBA64);
     model::ForeignImage foreign{.width = small.width(), .height = small.height(), .channels = 4, .pixels = {}};
@@ -65,27 +68,30 @@ model::ForeignImage foreignFrom(const QImage& image)
             foreign.pixels.insert(foreign.pixels.end(),
                                   {pixels[x].red(), pixels[x].green(), pixels[x].blue(), pixels[x].alpha()});
     }
-    return foreign;
+    model::MapSource source;
+    source.images.push_back(std::move(foreign));
+    return source;
 }
 
 /// An image that goes to a map.
 struct ReadImage
 {
-    model::ForeignImage image;
+    model::MapSource source;
     model::ImageReading reading = model::ImageReading::Scale;
     view::ReadingPreview preview; ///< Where it is either.
 };
 
-model::Result<ReadImage> readFor(const QString& path, const model::MapSpec& spec, const model::Progress& progress)
+model::Result<ReadImage> readFor(const QString& path, const model::MapSpec& spec, const model::UvTiles& tiles,
+                                 const model::Progress& progress)
 {
     model::ImporterClient client;
-    model::Result<model::ForeignImage> image = model::imageForMap(client, path, spec, progress);
-    if (!image)
-        return tl::unexpected(image.error());
-    ReadImage read{.image = std::move(*image), .preview = {}};
-    read.reading = model::readingOf(read.image.pixels, read.image.channels, spec);
+    model::Result<model::MapSource> source = model::mapSourceFrom(client, path, spec, tiles, progress);
+    if (!source)
+        return tl::unexpected(source.error());
+    ReadImage read{.source = std::move(*source), .preview = {}};
+    read.reading = model::readingOf(read.source, spec);
     if (read.reading == model::ImageReading::Either)
-        read.preview = previewsOf(read.image, spec);
+        read.preview = previewsOf(read.source, spec);
     return read;
 }
 
@@ -148,7 +154,7 @@ void MapExchange::importImages(const QStringList& paths)
         names += model::shownName(group.name);
     }
     std::vector<view::ImageForMap> images;
-    for (const QString& path : paths) {
+    for (const QString& path : model::tilePatternsOf(paths, model::tilesOf(project.head))) {
         const std::optional<model::NamedMap> named = model::mapNamedBy(path, project.groups);
         images.push_back({.path = path,
                           .map = named ? std::optional(named->kind) : std::nullopt,
@@ -162,16 +168,18 @@ void MapExchange::importImages(const QStringList& paths)
             importImageInto(image.path, std::nullopt, {.group = groups[image.group], .map = *image.map, .layer = 0});
 }
 
-void MapExchange::importImageInto(const QString& path, std::optional<bool> grey, const model::LayerAddress& target)
+void MapExchange::importImageInto(const QString& told, std::optional<bool> grey, const model::LayerAddress& target)
 {
     model::Document& document = m_session.document();
+    const model::UvTiles tiles = model::tilesOf(document.committed().head);
+    const QString path = model::tilePatternOf(told, tiles);
     const model::MapStack* map = mapOf(document, target);
     if (map == nullptr)
         return m_files.complain(noGroupText());
     const model::MapSpec& spec = model::mapSpec(target.map);
     const QString name = QFileInfo(path).fileName();
     std::optional<ReadImage> read = m_files.read<ReadImage>(
-        path, [path, &spec](const model::Progress& progress) { return readFor(path, spec, progress); });
+        path, [path, &spec, tiles](const model::Progress& progress) { return readFor(path, spec, tiles, progress); });
     if (!read)
         return;
     if (!grey && read->reading == model::ImageReading::Either) {
@@ -183,12 +191,10 @@ void MapExchange::importImageInto(const QString& path, std::optional<bool> grey,
     if (map == nullptr)
         return;
     const bool isGrey = grey.value_or(read->reading == model::ImageReading::Value);
-    const auto foreign = std::make_shared<const model::ForeignImage>(std::move(read->image));
+    const auto source = std::make_shared<const model::MapSource>(std::move(read->source));
     std::optional<model::ImageLayer> image = m_files.read<model::ImageLayer>(
-        path, [foreign, &spec, isGrey, size = map->size](const model::Progress& /*progress*/) {
-            return model::layerFromImage(*foreign, spec, isGrey, size).map([&foreign](sim::TiledRaster raster) {
-                return model::ImageLayer{.raster = std::move(raster), .imageSize = {foreign->width, foreign->height}};
-            });
+        path, [source, &spec, isGrey, size = map->size](const model::Progress& /*progress*/) {
+            return model::layerFromSource(*source, spec, isGrey, size);
         });
     if (!image)
         return;
@@ -197,11 +203,13 @@ void MapExchange::importImageInto(const QString& path, std::optional<bool> grey,
         return;
     const QSize mapSize(map->size, map->size);
     const int top = static_cast<int>(map->layers.size());
-    document.push(model::insertLayerCommand(
-        document, target.group, target.map,
-        {.id = 0, .name = QFileInfo(path).completeBaseName(), .raster = std::move(image->raster)}, top,
-        tr("Load %1 into %2").arg(name, spec.titleText())));
-    if (image->imageSize != mapSize)
+    document.push(
+        model::insertLayerCommand(document, target.group, target.map,
+                                  {.id = 0, .name = model::mapTitleOf(path), .raster = std::move(image->raster)}, top,
+                                  tr("Load %1 into %2").arg(name, spec.titleText())));
+    if (!source->leftOut.empty())
+        m_files.tell(QStringLiteral("%1: %2").arg(name, model::leftOutTiles(source->leftOut)));
+    else if (image->imageSize != mapSize)
         m_files.tell(tr("%1 was resampled from %2 × %3 to %4 × %4; Map > Map size changes the map's")
                          .arg(name)
                          .arg(image->imageSize.width())
@@ -228,7 +236,7 @@ std::optional<model::Clip> MapExchange::clipFrom(const QImage& image)
     const model::ImageReading reading = model::readingOf(image, spec);
     bool isGrey = reading == model::ImageReading::Value;
     if (reading == model::ImageReading::Either) {
-        const std::optional<bool> told = askReading(tr("the copied image"), spec, previewsOf(foreignFrom(image), spec));
+        const std::optional<bool> told = askReading(tr("the copied image"), spec, previewsOf(sourceFrom(image), spec));
         if (!told)
             return std::nullopt;
         isGrey = *told;
@@ -282,7 +290,9 @@ void MapExchange::saveMaps()
     const model::HairGroup* group = m_session.document().committed().group(editor.target().group());
     if (group == nullptr)
         return m_files.complain(tr("There is no hair group whose maps they could be; add one in the panel Hair."));
-    view::ExportMapsDialog dialog(model::mapSpec(editor.target().map()).titleText(), model::shownName(group->name),
+    view::ExportMapsDialog dialog({.map = model::mapSpec(editor.target().map()).titleText(),
+                                   .group = model::shownName(group->name),
+                                   .tiles = model::tilesOf(m_session.document().committed().head)},
                                   m_choice, &m_files.window());
     m_files.announce(dialog, view::HelpDialog::Topic::MapExport);
     if (dialog.exec() != QDialog::Accepted)
@@ -292,8 +302,8 @@ void MapExchange::saveMaps()
     if (folder.isEmpty())
         return;
     const std::vector<model::WantedMap> maps = wantedMaps(m_choice.range);
-    QStringList there = model::mapImageNames(maps, *m_choice.options.format);
-    const int count = static_cast<int>(there.size());
+    QStringList there = model::mapImageNames(maps, m_choice.options);
+    const int count = static_cast<int>(maps.size());
     there.removeIf([&folder](const QString& name) { return !QFileInfo::exists(QDir(folder).filePath(name)); });
     if (!there.isEmpty() &&
         QMessageBox::warning(&m_files.window(), dialog.windowTitle(),

@@ -38,8 +38,9 @@ public:
     void editOutside();
 
 private:
-    /// As a layer on top of the map of `target`, whose layer is not looked at.
-    void importImageInto(const QString& path, std::optional<bool> grey, const model::LayerAddress& target);
+    /// As a layer on top of the map of `target`, whose layer is not looked at; where `told` is an image of one of the
+    /// head's uv tiles, those of the others come with it.
+    void importImageInto(const QString& told, std::optional<bool> grey, const model::LayerAddress& target);
     /// Whether brightness is the value; none where the user cancels.
     [[nodiscard]] std::optional<bool> askReading(const QString& name, const model::MapSpec& spec,
                                                  const view::ReadingPreview& preview);

@@ -35,6 +35,7 @@ rendering::Scene pictureScene(const model::Project& project, std::shared_ptr<con
             .camera = camera,
             .light = view::sceneLight(project.light),
             .skin = view::sceneSkin(project.skin),
+            .skinTexture = view::sceneSkinTexture(project),
             .background = view::linearColour(project.background),
             .transparent = false,
             .ring = {},

@@ -101,16 +101,18 @@ struct EnvironmentPart
 struct HeadSwapPart
 {
     std::shared_ptr<const Head> head;
+    SkinTone skin = SkinTone::Clay;
     std::vector<Worn> worn;
     Id nextId = 1;
 
     static HeadSwapPart take(const Project& project, const Change& /*change*/)
     {
-        return {project.head, project.worn, project.nextId};
+        return {project.head, project.skin, project.worn, project.nextId};
     }
     void put(Project& project, const Change& /*change*/) const
     {
         project.head = head;
+        project.skin = skin;
         project.worn = worn;
         project.nextId = nextId;
     }

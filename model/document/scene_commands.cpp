@@ -120,6 +120,17 @@ CommandPtr removeWornCommand(Document& document, Id id)
     });
 }
 
+void putHead(Project& project, const std::shared_ptr<const Head>& head)
+{
+    const std::shared_ptr<const sim::MeshTexture> before = project.head ? project.head->texture : nullptr;
+    const std::shared_ptr<const sim::MeshTexture> after = head ? head->texture : nullptr;
+    if (after && after != before)
+        project.skin = SkinTone::Own;
+    else if (!after && project.skin == SkinTone::Own)
+        project.skin = SkinTone::Clay;
+    project.head = head;
+}
+
 CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head, std::vector<sim::Ellipsoid> ellipsoids,
                           std::optional<std::vector<HairGroup>> groups)
 {
@@ -131,7 +142,7 @@ CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head, 
         project.worn = carriedWorn(std::move(project.worn), project.head, head);
         if (mapsStay)
             keepInLayout(project.worn, before, project.head, head);
-        project.head = head;
+        putHead(project, head);
         project.setShapesOfHead(ellipsoids);
     };
     Change change;

@@ -24,8 +24,10 @@ namespace hairpaint::model {
 [[nodiscard]] QString windStepText();
 [[nodiscard]] QString lightStepText();
 [[nodiscard]] QString backgroundStepText();
-/// With the ellipsoids that it brings, and the groups as they were carried to it (style_transfer.h), or the maps taken
-/// as they lie.
+/// Where it brings a picture of its skin, that is shown; where it brings none, none is any more.
+void putHead(Project& project, const std::shared_ptr<const Head>& head);
+/// As putHead(), with the ellipsoids that it brings, and the groups as they were carried to it (style_transfer.h), or
+/// the maps taken as they lie.
 [[nodiscard]] CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head,
                                         std::vector<sim::Ellipsoid> ellipsoids,
                                         std::optional<std::vector<HairGroup>> groups = {});

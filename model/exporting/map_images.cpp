@@ -4,6 +4,8 @@
 #include "model/disk/output_path.h"
 #include "model/disk/staged_files.h"
 #include "model/files/image_map.h"
+#include "model/files/map_source.h"
+#include "model/files/tile_names.h"
 #include "model/values/sentences.h"
 
 #include <QDir>
@@ -55,7 +57,7 @@ const MapImageFormat* findMapImageFormat(const QString& suffix)
     return found == kImageFormats.end() ? nullptr : &*found;
 }
 
-QStringList mapImageNames(std::span<const WantedMap> maps, const MapImageFormat& format)
+QStringList mapImageNames(std::span<const WantedMap> maps, const MapImageOptions& options)
 {
     QStringList names;
     QSet<QString> taken;
@@ -65,7 +67,12 @@ QStringList mapImageNames(std::span<const WantedMap> maps, const MapImageFormat&
         for (int number = 2; taken.contains(name.toLower()); ++number)
             name = QStringLiteral("%1-%2").arg(word).arg(number);
         taken.insert(name.toLower());
-        names += name + QLatin1Char('.') + QLatin1StringView(format.suffix);
+        name += QLatin1Char('.') + QLatin1StringView(options.format->suffix);
+        if (!options.tiles)
+            names += name;
+        else
+            for (const int number : options.tiles->numbers())
+                names += nameOfTile(name, number);
     }
     return names;
 }
@@ -73,8 +80,15 @@ QStringList mapImageNames(std::span<const WantedMap> maps, const MapImageFormat&
 Result<void> writeMapImages(std::span<const WantedMap> maps, const QString& folder, const MapImageOptions& options,
                             const Progress& progress)
 {
+    if (const std::optional<int> shared = options.tiles ? options.tiles->shared() : std::nullopt)
+        return cannotWrite(folder,
+                           {.text = say(QT_TRANSLATE_NOOP("Files", "several layouts of the head lie in its tile "
+                                                                   "%1, so images by tile would lie over each "
+                                                                   "other; write one image a map"))
+                                        .arg(*shared),
+                            .cure = Clause::Cure::OtherFile});
     QStringList paths;
-    for (const QString& name : mapImageNames(maps, *options.format))
+    for (const QString& name : mapImageNames(maps, options))
         paths += QDir(folder).filePath(name);
     for (const QString& target : paths)
         if (const Checked<void> writable = checkWritable(target); !writable)
@@ -86,18 +100,30 @@ Result<void> writeMapImages(std::span<const WantedMap> maps, const QString& fold
         return ready;
     ImporterClient client;
     for (std::size_t i = 0; i < maps.size(); ++i) {
-        const QString& target = paths[static_cast<qsizetype>(i)];
-        const auto part = [&](double done) {
-            return !progress || progress((static_cast<double>(i) + done) / static_cast<double>(maps.size()));
-        };
-        if (!part(0.0))
-            return cancelled(target);
-        const Result<void> written = withinMemory(target, cannotWrite, [&] {
-            return client.writeImage(imageFromMap(*maps[i].resolved, mapSpec(maps[i].kind), options.grey),
-                                     staged.pathFor(target), options.bits, part);
+        const qsizetype files = paths.size() / static_cast<qsizetype>(maps.size()); // A map.
+        const qsizetype first = static_cast<qsizetype>(i) * files;
+        const Result<void> written = withinMemory(paths[first], cannotWrite, [&]() -> Result<void> {
+            const ForeignImage map = imageFromMap(*maps[i].resolved, mapSpec(maps[i].kind), options.grey);
+            for (qsizetype file = first; file < first + files; ++file) {
+                const auto part = [&](double done) {
+                    return !progress ||
+                           progress((static_cast<double>(file) + done) / static_cast<double>(paths.size()));
+                };
+                const auto write = [&](const ForeignImage& image) {
+                    return client.writeImage(image, staged.pathFor(paths[file]), options.bits, part);
+                };
+                if (!part(0.0))
+                    return cancelled(paths[file]);
+                const Result<void> one =
+                    options.tiles ? write(imageOfCell(map, *options.tiles, static_cast<std::size_t>(file - first)))
+                                  : write(map);
+                if (!one)
+                    return tl::unexpected(staged.named(one.error(), paths[file]));
+            }
+            return {};
         });
         if (!written)
-            return tl::unexpected(staged.named(written.error(), target));
+            return written;
     }
     if (progress && !progress(1.0))
         return cancelled(folder);

@@ -271,4 +271,22 @@ Checked<GlbParts> partsFromGlb(const QByteArray& glb)
     return read;
 }
 
+UvTiles tilesFromGlb(const QByteArray& glb)
+{
+    const std::optional<GlbContainer> container = openGlb(glb);
+    if (!container)
+        return {};
+    const QJsonObject mesh = container->list(QLatin1StringView("meshes")).at(0).toObject();
+    const QJsonArray told = mesh.value(QLatin1String("extras")).toObject().value(QLatin1String("udim")).toArray();
+    std::vector<int> numbers;
+    if (told.size() > static_cast<qsizetype>(MeshPart::kMost))
+        return {};
+    for (const auto& number : told) {
+        numbers.push_back(number.toInt());
+        if (numbers.back() < kFirstUdim || numbers.back() > kLastUdim)
+            return {};
+    }
+    return UvTiles(std::move(numbers));
+}
+
 } // namespace hairpaint::model

@@ -25,5 +25,7 @@ struct GlbParts
     std::shared_ptr<const sim::MeshTexture> texture;
 };
 [[nodiscard]] Checked<GlbParts> partsFromGlb(const QByteArray& glb);
+/// How its first mesh's layouts lie side by side; one tile where it tells nothing of that, or nothing that can be.
+[[nodiscard]] UvTiles tilesFromGlb(const QByteArray& glb);
 
 } // namespace hairpaint::model

@@ -244,6 +244,12 @@ QByteArray glbFromMesh(const RiggedMesh& mesh)
             materials.append(materialOf(*part));
             own.insert(QStringLiteral("name"), QString::fromStdString(part->name));
         }
+        if (meshes.isEmpty() && !mesh.tiles.isOneMap()) {
+            QJsonArray tiles;
+            for (const int number : mesh.tiles.numbers())
+                tiles.append(number);
+            own.insert(QStringLiteral("extras"), QJsonObject{{QStringLiteral("udim"), tiles}});
+        }
         own.insert(QStringLiteral("primitives"), QJsonArray{primitive});
         meshes.append(own);
     };

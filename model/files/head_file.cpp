@@ -361,4 +361,9 @@ Checked<HeadSkeleton> skeletonOf(const Head& head)
     return skeleton;
 }
 
+UvTiles tilesOf(const std::shared_ptr<const Head>& head)
+{
+    return head && !head->sourceGlb.isEmpty() ? tilesFromGlb(head->sourceGlb) : UvTiles();
+}
+
 } // namespace hairpaint::model

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/files/head_guess.h"
+#include "model/heads/uv_tiles.h"
 #include "model/project/project.h"
 #include "model/values/sentences.h"
 
@@ -41,5 +42,7 @@ struct NamedHead
 
 /// The joints of an imported head, Hd; none where it came without.
 [[nodiscard]] Checked<HeadSkeleton> skeletonOf(const Head& head);
+/// How an imported head's layouts lie side by side on its maps; one tile for every other.
+[[nodiscard]] UvTiles tilesOf(const std::shared_ptr<const Head>& head);
 
 } // namespace hairpaint::model

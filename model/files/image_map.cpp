@@ -52,8 +52,12 @@ void forEachRun(const sim::TiledRaster& map, const sim::TexelRect& rect, int y, 
     }
 }
 
-/// Keeps the longer side's pixels, unless the shorter would be stretched into many times what it holds.
-int sizeFor(const ForeignImage& image)
+/// Texels of one row of a tile, or of part of it, as colours.
+using RowColours = std::array<std::uint16_t, std::size_t{3} * sim::TiledRaster::kTileSize>;
+
+} // namespace
+
+int mapSideOf(const ForeignImage& image)
 {
     constexpr int kMostStretch = 4;
     const auto [shorter, longer] = std::minmax(image.width, image.height);
@@ -61,11 +65,6 @@ int sizeFor(const ForeignImage& image)
     return static_cast<int>(std::bit_ceil(
         static_cast<unsigned>(std::clamp(wanted, sim::TiledRaster::kSmallestSize, sim::TiledRaster::kLargestSize))));
 }
-
-/// Texels of one row of a tile, or of part of it, as colours.
-using RowColours = std::array<std::uint16_t, std::size_t{3} * sim::TiledRaster::kTileSize>;
-
-} // namespace
 
 Result<sim::TiledRaster> layerFromImage(const ForeignImage& image, const MapSpec& spec, bool grey, int size)
 {
@@ -75,7 +74,7 @@ Result<sim::TiledRaster> layerFromImage(const ForeignImage& image, const MapSpec
                                                   static_cast<std::size_t>(image.channels);
     if (!whole)
         return failure(QCoreApplication::translate("Files", "The image holds no pixels; choose another."));
-    const int target = size != 0 ? size : sizeFor(image);
+    const int target = size != 0 ? size : mapSideOf(image);
     const TexelOps& ops = texelOps(spec);
     const auto readRow = [&](int y, std::span<sim::Texel> texels) {
         const std::uint16_t* pixel =

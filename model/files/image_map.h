@@ -17,6 +17,9 @@ namespace hairpaint::model {
 [[nodiscard]] Result<sim::TiledRaster> layerFromImage(const ForeignImage& image, const MapSpec& spec, bool grey,
                                                       int size);
 
+/// The side of the map that an image makes where `size` is 0.
+[[nodiscard]] int mapSideOf(const ForeignImage& image);
+
 struct ImageLayer
 {
     sim::TiledRaster raster;

@@ -164,7 +164,7 @@ Checked<ChosenHead> headOfParts(const RiggedMesh& source, bool ownLayout)
         if (part.use == PartUse::Seen && !part.hasLayout)
             bare.append(titleOf(source, i));
         if (part.use == PartUse::Grows && part.tile != glm::ivec2(0))
-            tiles.append(QString::number(1001 + part.tile.x + 10 * part.tile.y));
+            tiles.append(QString::number(udimOf(part.tile)));
     }
     tiles.removeDuplicates();
     if (!bare.isEmpty())

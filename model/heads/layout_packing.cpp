@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace hairpaint::model {
 
@@ -137,15 +138,19 @@ MeshPart packed(RiggedMesh& mesh, std::span<const MeshPart> grown)
         one.vertices += part.vertices;
         one.triangles += part.triangles;
     }
+    mesh.tiles = UvTiles({udimOf(one.tile)});
     if (grown.size() == 1)
         return one;
     const std::vector<Layout> layouts = layoutsOf(mesh, grown, ranges);
+    std::vector<int> numbers(layouts.size());
+    std::ranges::transform(layouts, numbers.begin(), [](const Layout& layout) { return udimOf(layout.tile); });
+    mesh.tiles = UvTiles(std::move(numbers));
     if (layouts.size() == 1) {
         one.texture = layouts.front().texture;
         one.colour = layouts.front().colour;
         return one;
     }
-    const auto cells = static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(layouts.size()))));
+    const auto cells = static_cast<std::uint32_t>(mesh.tiles.across());
     for (std::size_t i = 0; i < layouts.size(); ++i) {
         const std::size_t row = i / cells;
         const glm::vec2 cell(static_cast<float>(i - row * cells), static_cast<float>(row));

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <span>
 #include <string_view>
 #include <tuple>
 #include <unordered_set>
@@ -15,20 +17,31 @@ namespace hairpaint::model {
 
 namespace {
 
-bool isNamedAsOther(const MeshPart& part)
+bool isNamedAs(const MeshPart& part, std::span<const std::string_view> words)
 {
-    static constexpr std::array<std::string_view, 36> kOthers = {
-        "eye",    "iris",  "cornea",  "pupil", "lash",   "brow",     "teeth", "tooth", "tongue",
-        "mouth",  "gum",   "hair",    "kami",  "bang",   "ponytail", "glass", "cloth", "shirt",
-        "tops",   "pants", "bottom",  "dress", "skirt",  "shoe",     "sock",  "glove", "jacket",
-        "helmet", "beard", "earring", "horn",  "ribbon", "mask",     "crown", "jewel", "weapon"};
-    const auto names = [](std::string name) {
+    const auto names = [words](std::string name) {
         std::ranges::transform(name, name.begin(),
                                [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-        return std::ranges::any_of(kOthers,
-                                   [&name](std::string_view other) { return name.find(other) != std::string::npos; });
+        return std::ranges::any_of(words,
+                                   [&name](std::string_view word) { return name.find(word) != std::string::npos; });
     };
     return names(part.name) || names(part.material);
+}
+
+bool isNamedAsOther(const MeshPart& part)
+{
+    static constexpr std::array<std::string_view, 40> kOthers = {
+        "eye",    "iris",   "cornea", "pupil", "lash",     "brow",   "teeth",   "tooth",    "tongue",   "mouth",
+        "gum",    "hair",   "kami",   "bang",  "ponytail", "glass",  "cloth",   "shirt",    "tops",     "pants",
+        "bottom", "dress",  "skirt",  "shoe",  "sock",     "glove",  "jacket",  "helmet",   "beard",    "earring",
+        "horn",   "ribbon", "mask",   "crown", "jewel",    "weapon", "headset", "headband", "headwear", "headphone"};
+    return isNamedAs(part, kOthers);
+}
+
+bool isNamedAsHead(const MeshPart& part)
+{
+    static constexpr std::array<std::string_view, 4> kHeads = {"head", "face", "scalp", "skull"};
+    return isNamedAs(part, kHeads);
 }
 
 /// A position to a hundred thousandth of the mesh.
@@ -71,10 +84,29 @@ public:
 
 private:
     [[nodiscard]] float heightOf(std::uint32_t vertex) const { return glm::dot(m_source.positionsHd[vertex], m_up); }
-    [[nodiscard]] std::size_t withTheScalp(const std::vector<std::size_t>& candidates) const
+    /// Of the triangle's middle.
+    [[nodiscard]] float heightOf(const glm::uvec3& corners) const
+    {
+        return (heightOf(corners.x) + heightOf(corners.y) + heightOf(corners.z)) / 3.0F;
+    }
+    /// Twice its area; along `m_up` what of it looks up.
+    [[nodiscard]] glm::dvec3 acrossOf(const glm::uvec3& corners) const
+    {
+        const glm::dvec3 a(m_source.positionsHd[corners.x]);
+        return glm::cross(glm::dvec3(m_source.positionsHd[corners.y]) - a,
+                          glm::dvec3(m_source.positionsHd[corners.z]) - a);
+    }
+    template<typename Visit>
+    void eachTriangleOf(std::size_t part, const Visit& visit) const
+    {
+        for (std::size_t t = 0; t < m_ranges[part].triangles; ++t)
+            visit(m_source.triangles[m_ranges[part].firstTriangle + t]);
+    }
+    [[nodiscard]] std::size_t withTheScalp(const std::vector<std::size_t>& candidates)
     {
         constexpr float kHeadM = 0.25F;
         constexpr float kOfAll = 0.6F;
+        constexpr float kWithNeckM = 0.35F;
         float top = -1e30F;
         float bottom = 1e30F;
         for (const std::size_t part : candidates)
@@ -83,26 +115,37 @@ private:
                 top = std::max(top, height);
                 bottom = std::min(bottom, height);
             }
+        m_headFrom = top - kWithNeckM / m_metres;
         const float from = top - std::min(kHeadM / m_metres, kOfAll * (top - bottom));
-        std::size_t best = candidates.front();
-        double most = -1.0;
-        for (const std::size_t part : candidates) {
-            double area = 0.0;
-            for (std::size_t t = 0; t < m_ranges[part].triangles; ++t) {
-                const glm::uvec3& corners = m_source.triangles[m_ranges[part].firstTriangle + t];
-                if (heightOf(corners.x) + heightOf(corners.y) + heightOf(corners.z) < 3.0F * from)
-                    continue;
-                const glm::dvec3 a(m_source.positionsHd[corners.x]);
-                const glm::dvec3 across = glm::cross(glm::dvec3(m_source.positionsHd[corners.y]) - a,
-                                                     glm::dvec3(m_source.positionsHd[corners.z]) - a);
-                area += std::max(glm::dot(across, glm::dvec3(m_up)), 0.0);
-            }
-            if (area > most) {
-                most = area;
-                best = part;
-            }
-        }
-        return best;
+        std::vector<double> areas(m_ranges.size(), 0.0);
+        for (const std::size_t part : candidates)
+            eachTriangleOf(part, [&](const glm::uvec3& corners) {
+                if (heightOf(corners) >= from)
+                    areas[part] += std::max(glm::dot(acrossOf(corners), glm::dvec3(m_up)), 0.0);
+            });
+        const auto most = [&areas](const std::vector<std::size_t>& parts) {
+            return *std::ranges::max_element(parts, {}, [&areas](std::size_t part) { return areas[part]; });
+        };
+        const std::size_t best = most(candidates);
+        // A body's shoulders may be more than the top of a small head; a name counts where the shape is no other's.
+        constexpr double kEnough = 0.25;
+        std::vector<std::size_t> heads;
+        std::ranges::copy_if(candidates, std::back_inserter(heads), [&](std::size_t part) {
+            return isNamedAsHead(m_source.parts[part]) && areas[part] > kEnough * areas[best];
+        });
+        return heads.empty() ? best : most(heads);
+    }
+    /// Whether most of it is as high as a head and its neck: what hangs together with a head below is the body.
+    [[nodiscard]] bool isOfHead(std::size_t part) const
+    {
+        double above = 0.0;
+        double all = 0.0;
+        eachTriangleOf(part, [&](const glm::uvec3& corners) {
+            const double area = glm::length(acrossOf(corners));
+            all += area;
+            above += heightOf(corners) >= m_headFrom ? area : 0.0;
+        });
+        return 2.0 * above >= all;
     }
     [[nodiscard]] GridCell cellOf(const glm::vec3& position)
     {
@@ -124,7 +167,7 @@ private:
                 cells.insert(cellOf(m_source.positionsHd[m_ranges[part].firstVertex + v]));
         bool any = false;
         for (const std::size_t part : candidates) {
-            if (m_uses[part] == PartUse::Grows)
+            if (m_uses[part] == PartUse::Grows || !isOfHead(part))
                 continue;
             std::size_t shared = 0;
             for (std::size_t v = 0; shared < kSeam && v < m_ranges[part].vertices; ++v)
@@ -142,6 +185,7 @@ private:
     float m_metres;
     std::vector<PartRange> m_ranges;
     std::vector<PartUse> m_uses;
+    float m_headFrom = 0.0F; ///< Height, in the source's unit.
     float m_cell = 0.0F;
     glm::vec3 m_least{0.0F};
 };

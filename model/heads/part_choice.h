@@ -8,8 +8,8 @@
 namespace hairpaint::model {
 
 /// By part: the one with most of the skin that looks up near the top, of those that have a layout and are not named as
-/// eyes, clothes or hair are, and those that hang together with it, grow hair; others are seen. `up`: an axis of the
-/// file's space.
+/// eyes, clothes or hair are, and one named as heads are before others, grows hair, and so do those that hang together
+/// with it and are not further down, as a body is; others are seen. `up`: an axis of the file's space.
 [[nodiscard]] std::vector<PartUse> likelyUses(const RiggedMesh& source, const glm::vec3& up, float metresPerUnit);
 
 /// The parts that grow hair as the first, of one layout, then those that are seen; without those that are left out.

@@ -3,6 +3,7 @@
 
 #include "model/heads/head_skeleton.h"
 #include "model/heads/mesh_parts.h"
+#include "model/heads/uv_tiles.h"
 #include "sim/skin/head_mesh.h"
 
 #include <cstdint>
@@ -31,6 +32,7 @@ struct RiggedMesh : sim::HeadMesh
     ToldSpace told = {};
     std::vector<MeshPart> parts = {}; ///< All of it together; none where it is one part without a name.
     std::vector<MeshTexture> textures = {};
+    UvTiles tiles = {}; ///< Of the first part, once arranged() laid it out.
     RiggedMesh() = default;
     RiggedMesh(sim::HeadMesh mesh) : sim::HeadMesh(std::move(mesh)) {}
 };

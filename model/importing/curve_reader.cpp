@@ -6,6 +6,7 @@
 #include "model/importing/usd_reader.h"
 #include "model/values/sentences.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 
@@ -71,7 +72,7 @@ MaybeCurves readUsdAt(const QString& path, const Progress& progress)
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return refuse(readRefusal(file.errorString()), Clause::Cure::OtherFile);
-    return readUsdText(file.readAll(), progress);
+    return readUsdText(file.readAll(), progress, usdFilesBeside(path));
 }
 
 /// The first of its files that is text: the others are what that one refers to.
@@ -83,7 +84,16 @@ MaybeCurves readUsdArchiveAt(const QString& path, const Progress& progress)
     for (const QString& name : archive->names())
         if (name.endsWith(QLatin1String(".usda"), Qt::CaseInsensitive)) {
             const Checked<QByteArray> text = archive->read(name, kMostUsdBytes);
-            return text ? readUsdText(*text, progress) : tl::unexpected(text.error());
+            const auto opener = [&](const QString& asset, const QString& from) -> std::optional<UsdLayer> {
+                const QString within = QFileInfo(from.isEmpty() ? name : from).path();
+                const QString other = QDir::cleanPath(within + QLatin1Char('/') + asset);
+                Checked<QByteArray> own =
+                    archive->contains(other) ? archive->read(other, kMostUsdBytes) : Checked<QByteArray>(QByteArray());
+                if (!own || !own->startsWith("#usda "))
+                    return std::nullopt;
+                return UsdLayer{.text = *std::move(own), .path = other};
+            };
+            return text ? readUsdText(*text, progress, opener) : tl::unexpected(text.error());
         }
     return refuse(say(QT_TRANSLATE_NOOP("Files", "it holds no USD text; save it with the ending .usda")),
                   Clause::Cure::OtherFile);

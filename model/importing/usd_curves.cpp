@@ -20,6 +20,8 @@ std::size_t varyingCount(const UsdCurves& curves, std::size_t points)
 {
     if (curves.type != "cubic" || curves.wrap == "pinned" || points < 4)
         return points;
+    if (curves.wrap == "periodic")
+        return curves.basis == "bezier" ? points / 3 : points;
     return curves.basis == "bezier" ? (points - 4) / 3 + 2 : points - 2;
 }
 
@@ -106,6 +108,15 @@ glm::vec3 asEncoded(const glm::vec3& linear)
 /// Points that a curve runs through, of those that tell it.
 void addCurve(const UsdCurves& curves, std::span<const glm::vec3> told, std::vector<glm::vec3>& points)
 {
+    if (curves.wrap == "periodic" && told.size() >= 3) { // It ends where it began.
+        std::vector<glm::vec3> closed(told.begin(), told.end());
+        const bool overlaps = curves.type == "cubic" && curves.basis != "bezier";
+        closed.insert(closed.end(), told.begin(), told.begin() + (overlaps ? 3 : 1));
+        UsdCurves open;
+        open.type = curves.type;
+        open.basis = curves.basis;
+        return addCurve(open, closed, points);
+    }
     const bool isCubic = curves.type == "cubic";
     const bool isPinned = curves.wrap == "pinned";
     if (isCubic && curves.basis == "bezier" && told.size() >= 4) {

@@ -33,6 +33,7 @@ struct UsdCurves
     std::string_view type = "cubic"; ///< Unless told.
     std::string_view basis = "bezier";
     std::map<std::string_view, std::string_view> variants; ///< The chosen one of each set.
+    std::string path;                                      ///< "/Hair/Locks"
     QString groupName;
     bool isHidden = false;
 };

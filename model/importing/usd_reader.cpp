@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <string>
 #include <utility>
@@ -34,26 +35,22 @@ bool isSpecifier(std::string_view word)
 class UsdReader
 {
 public:
-    UsdReader(const QByteArray& text, const Progress& progress)
-        : m_scanner({text.constData(), static_cast<std::size_t>(text.size())}),
-          m_size(static_cast<double>(text.size())), m_progress(progress)
+    /// `layer`: what is read, which must outlive it.
+    UsdReader(const UsdLayer& layer, const Progress& progress, UsdLayers& layers, int depth = 0)
+        : m_layer(layer), m_scanner({layer.text.constData(), static_cast<std::size_t>(layer.text.size())}),
+          m_size(static_cast<double>(layer.text.size())), m_progress(progress), m_layers(layers), m_depth(depth)
     {}
 
     Checked<std::optional<ForeignCurves>> read()
     {
-        m_curves.upAxis = UpAxis::Y; // Unless told.
-        m_curves.metresPerUnit = 0.01F;
-        if (m_scanner.peek() == '(')
-            readStage();
-        while (!m_scanner.atEnd() && goesOn())
-            readPrim(0);
+        readLayer();
         if (m_isCancelled)
             return std::optional<ForeignCurves>();
         if (m_problem)
             return tl::unexpected(*m_problem);
         if (m_scanner.isBroken())
             return brokenUsd();
-        if (m_curves.groups.empty() && (m_sawNurbs || m_refers))
+        if (m_curves.groups.empty() && (m_sawNurbs || !m_layers.unread.isEmpty()))
             return holdsOther();
         const auto isGuides = [](const ForeignStrands& strands) { return strands.isGuides; };
         if (!std::ranges::all_of(m_curves.groups, isGuides))
@@ -64,12 +61,52 @@ public:
 private:
     [[nodiscard]] tl::unexpected<Clause> holdsOther() const
     {
-        return m_sawNurbs ? refuse(say(QT_TRANSLATE_NOOP("Files", "its curves are NURBS, which are not read; export "
-                                                                  "them as basis curves")),
-                                   Clause::Cure::OtherFile)
-                          : refuse(say(QT_TRANSLATE_NOOP("Files", "its hair is in other files, which it refers to; "
-                                                                  "export it flattened into one")),
-                                   Clause::Cure::OtherFile);
+        return m_sawNurbs
+                   ? refuse(say(QT_TRANSLATE_NOOP("Files", "its curves are NURBS, which are not read; export "
+                                                           "them as basis curves")),
+                            Clause::Cure::OtherFile)
+                   : refuse(say(QT_TRANSLATE_NOOP("Files", "its hair is in other files, which are no USD text "
+                                                           "beside it: %1; export it flattened into one"))
+                                .arg(shownPath(m_layers.unread.first(std::min<qsizetype>(m_layers.unread.size(), 3))
+                                                   .join(QStringLiteral(", ")))),
+                            Clause::Cure::OtherFile);
+    }
+    void readLayer()
+    {
+        m_curves.upAxis = UpAxis::Y; // Unless told.
+        m_curves.metresPerUnit = 0.01F;
+        if (m_scanner.peek() == '(')
+            readStage();
+        while (!m_scanner.atEnd() && goesOn())
+            readPrim(0, {});
+        for (const UsdReference& below : m_below)
+            follow(below, false, false);
+    }
+    /// Adds what another layer holds, or another prim of this one. `ofPrim`: of the prim that is named, or of the
+    /// default one, which stays where it stands where `isMoved`.
+    void follow(const UsdReference& reference, bool ofPrim, bool isMoved)
+    {
+        constexpr int kDeepest = 8;
+        if (!goesOn())
+            return;
+        std::optional<UsdLayer> other;
+        if (m_depth >= kDeepest) // It refers to itself.
+            return m_layers.leave(reference);
+        if (!m_layers.open(reference, m_layer.path, other))
+            return;
+        const Progress progress = [this](double) { return askProgress(); };
+        UsdReader reader(other ? *other : m_layer, progress, m_layers, m_depth + 1);
+        reader.m_wanted = reference.prim;
+        reader.m_wantsDefault = ofPrim && reference.prim.empty();
+        reader.m_keepsTransform = !isMoved;
+        reader.readLayer();
+        m_isCancelled = m_isCancelled || reader.m_isCancelled;
+        m_sawNurbs = m_sawNurbs || reader.m_sawNurbs;
+        if (reader.m_problem)
+            m_problem = reader.m_problem;
+        if (reader.m_scanner.isBroken() || m_curves.groups.size() + reader.m_curves.groups.size() > kMostNames)
+            return m_scanner.setBroken();
+        std::ranges::move(reader.m_curves.groups, std::back_inserter(m_curves.groups));
     }
     [[nodiscard]] bool goesOn() const { return !m_isCancelled && !m_problem && !m_scanner.isBroken(); }
     [[nodiscard]] std::string_view nextWord() const
@@ -101,8 +138,9 @@ private:
                     if (unit > 0.0 && unit < 1e6)
                         m_curves.metresPerUnit = static_cast<float>(unit);
                 } else if (key == "subLayers") {
-                    m_refers = true;
-                    m_scanner.skipValue();
+                    m_below = readReferences(m_scanner);
+                } else if (key == "defaultPrim" && m_wantsDefault) {
+                    m_wanted = "/" + std::string(m_scanner.quoted());
                 } else if (key == "upAxis") {
                     m_curves.upAxis = m_scanner.quoted() == "Z" ? UpAxis::Z : UpAxis::Y;
                 } else {
@@ -112,8 +150,8 @@ private:
         }
     }
 
-    /// From its "def" on.
-    void readPrim(int depth)
+    /// From its "def" on. `parent`: its path.
+    void readPrim(int depth, const std::string& parent)
     {
         const std::string_view specifier = m_scanner.word();
         if (depth > kDeepestPrim || !isSpecifier(specifier))
@@ -121,10 +159,15 @@ private:
         const std::string_view type = m_scanner.peek() == '"' ? std::string_view() : m_scanner.word();
         const std::string_view name = m_scanner.quoted();
         UsdCurves curves;
+        curves.path = parent + "/" + std::string(name);
+        const bool isWanted = m_wanted.empty() || (curves.path + "/").starts_with(m_wanted + "/");
+        const bool holdsWanted = m_wanted.starts_with(curves.path + "/");
+        std::vector<UsdReference> references;
         if (m_scanner.peek() == '(')
-            readPrimMetadata(curves);
-        m_sawNurbs = m_sawNurbs || type == "NurbsCurves";
-        if (specifier == "class") {
+            readPrimMetadata(curves, references);
+        m_sawNurbs = m_sawNurbs || (isWanted && type == "NurbsCurves");
+        // A class is only there for those that inherit it.
+        if (!(isWanted || holdsWanted) || (specifier == "class" && m_wanted.empty())) {
             m_scanner.skipValue();
             return;
         }
@@ -134,13 +177,16 @@ private:
         const std::size_t firstGroup = m_curves.groups.size();
         while (!m_scanner.accept('}') && goesOn())
             readStatement(depth, curves, transform);
-        if (!goesOn())
+        if (!goesOn() || !isWanted)
             return;
-        if (type == "BasisCurves" && !curves.isHidden)
+        if (type == "BasisCurves" && !curves.isHidden && !curves.counts.empty())
             add(curves);
+        for (std::size_t i = 0; i < references.size() && !curves.isHidden; ++i)
+            follow(references[i], true, transform.isTold());
         if (curves.isHidden)
             m_curves.groups.resize(firstGroup);
-        move(firstGroup, transform);
+        if (m_keepsTransform || curves.path != m_wanted)
+            move(firstGroup, transform);
     }
 
     void add(const UsdCurves& curves)
@@ -184,7 +230,7 @@ private:
             return;
         const std::string_view first = nextWord();
         if (isSpecifier(first))
-            return readPrim(depth + 1);
+            return readPrim(depth + 1, curves.path);
         if (first == "variantSet") {
             (void)m_scanner.word();
             return readVariants(depth, curves, transform);
@@ -243,9 +289,9 @@ private:
         }
     }
 
-    void readPrimMetadata(UsdCurves& curves)
+    void readPrimMetadata(UsdCurves& curves, std::vector<UsdReference>& references)
     {
-        readMetadata([this, &curves](std::string_view key) {
+        readMetadata([this, &curves, &references](std::string_view key) {
             if (key == "active") {
                 const std::string_view value = m_scanner.word();
                 curves.isHidden = curves.isHidden || value == "false" || value == "0";
@@ -263,8 +309,10 @@ private:
                 }
                 return true;
             }
-            m_refers = m_refers || key == "references" || key == "payload";
-            return false;
+            if (key != "references" && key != "payload" && key != "inherits" && key != "specializes")
+                return false;
+            std::ranges::move(readReferences(m_scanner), std::back_inserter(references));
+            return true;
         });
     }
 
@@ -380,19 +428,26 @@ private:
         }
     }
 
+    const UsdLayer& m_layer;
     UsdScanner m_scanner;
     double m_size;
     const Progress& m_progress;
+    UsdLayers& m_layers;
+    int m_depth; ///< Of layers and prims that name each other.
     ForeignCurves m_curves;
+    std::vector<UsdReference> m_below; ///< Layers under this one.
+    std::string m_wanted;              ///< The prim that is read alone; empty: all.
+    bool m_wantsDefault = false;
+    bool m_keepsTransform = true; ///< Of the wanted prim.
     std::optional<Clause> m_problem;
     bool m_isCancelled = false;
     bool m_sawNurbs = false;
-    bool m_refers = false; ///< To other files.
 };
 
 } // namespace
 
-Checked<std::optional<ForeignCurves>> readUsdText(const QByteArray& text, const Progress& progress)
+Checked<std::optional<ForeignCurves>> readUsdText(const QByteArray& text, const Progress& progress,
+                                                  const UsdOpener& opener)
 {
     if (text.startsWith("PXR-USDC"))
         return refuse(
@@ -403,7 +458,9 @@ Checked<std::optional<ForeignCurves>> readUsdText(const QByteArray& text, const 
         return refuse(say(QT_TRANSLATE_NOOP("Files", "it is no USD text; choose a file that another program saved as "
                                                      ".usda")),
                       Clause::Cure::OtherFile);
-    return UsdReader(text, progress).read();
+    const UsdLayer first{.text = text, .path = {}};
+    UsdLayers layers{.opener = opener, .unread = {}};
+    return UsdReader(first, progress, layers).read();
 }
 
 } // namespace hairpaint::model

@@ -114,6 +114,27 @@ std::string_view UsdScanner::quoted()
     return whole.substr(marks, whole.size() - 2 * marks);
 }
 
+std::string_view UsdScanner::asset()
+{
+    if (peek() != '@') {
+        m_broken = true;
+        return {};
+    }
+    const std::string_view mark = rest().starts_with("@@@") ? "@@@" : "@";
+    m_at += mark.size();
+    const std::size_t begin = m_at;
+    skipUntil(mark);
+    return m_broken ? std::string_view() : m_text.substr(begin, m_at - mark.size() - begin);
+}
+
+std::string_view UsdScanner::path()
+{
+    expect('<');
+    const std::size_t begin = m_at;
+    skipUntil(">");
+    return m_broken ? std::string_view() : m_text.substr(begin, m_at - 1 - begin);
+}
+
 std::optional<double> UsdScanner::number()
 {
     if (peek() == '\0')

@@ -28,6 +28,9 @@ public:
     [[nodiscard]] std::string_view word();
     /// What stands between quotes, as it is written.
     [[nodiscard]] std::string_view quoted();
+    /// What stands between @, of a file; and between < and >, of a prim.
+    [[nodiscard]] std::string_view asset();
+    [[nodiscard]] std::string_view path();
     [[nodiscard]] std::optional<double> number();
     /// All numbers of a value, however they are bracketed; stops where `goesOn`, asked now and then, is false. False
     /// where it was stopped, or there are more than `most`.

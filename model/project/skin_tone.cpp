@@ -25,6 +25,8 @@ constexpr std::array<SkinLook, kSkinToneCount> kLooks{{
      1.0F},
     {SkinTone::Deep, "deep", QT_TRANSLATE_NOOP("SkinTone", "Deep"), 0xFF51382E, 0xFF4D3230, 0xFF452F27, 0.6F, 1.0F,
      1.0F},
+    {SkinTone::Own, "own", QT_TRANSLATE_NOOP("SkinTone", "The head's own picture"), 0xFFBDB3AB, 0xFFB7AAA2, 0xFFB7ACA4,
+     0.5F, 0.25F, 0.6F},
 }};
 
 static_assert(

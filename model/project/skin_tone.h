@@ -18,9 +18,10 @@ enum class SkinTone : std::uint8_t
     Beige,
     Olive,
     Brown,
-    Deep
+    Deep,
+    Own ///< The picture that the head's file shows on it; where it shows none, as Clay.
 };
-inline constexpr std::size_t kSkinToneCount = 7;
+inline constexpr std::size_t kSkinToneCount = 8;
 
 struct SkinLook
 {

@@ -6,11 +6,11 @@ in vec3 normalWo;
 in vec4 marks; // Sky, lips, lids, blush.
 in vec4 tint; // Of the scalp, times its cover.
 layout(location = 0) out vec4 rootColour;
+in vec2 skinUv;
+uniform sampler2D skinTexture;
+uniform vec4 skinTextured; // x: 1 where it has a texture; y: the least alpha that is drawn.
 #ifdef SOLID
 layout(location = 1) out float worn; // 1: hair does not show through it.
-in vec2 solidUv;
-uniform sampler2D solidTexture;
-uniform vec4 solidTextured; // x: 1 where it has a texture; y: the least alpha that is drawn.
 uniform vec4 solidSkin[3]; // As the frame's, for a body that is worn.
 #define skin solidSkin
 #endif
@@ -79,15 +79,16 @@ void main()
     vec3 albedo = mix(skin[0].rgb, skin[1].rgb, 0.35 * marks.w);
     albedo = mix(albedo, skin[2].rgb, marks.z);
     albedo = mix(albedo, skin[1].rgb, marks.y);
-    albedo = albedo * (1.0 - tint.w) + tint.rgb;
-#ifdef SOLID
-    if (solidTextured.x > 0.0) {
-        vec4 texel = texture(solidTexture, solidUv);
-        if (texel.a < solidTextured.y)
+    if (skinTextured.x > 0.0) {
+        vec4 texel = texture(skinTexture, skinUv);
+        if (texel.a < skinTextured.y)
             discard;
-        albedo = texel.rgb * skin[0].rgb;
-    }
+        albedo = texel.rgb;
+#ifdef SOLID
+        albedo *= skin[0].rgb;
 #endif
+    }
+    albedo = albedo * (1.0 - tint.w) + tint.rgb;
 
     float up = n.y * 0.5 + 0.5;
     vec3 open = openness(marks.x, albedo);

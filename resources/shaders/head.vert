@@ -2,10 +2,9 @@
 layout(location = 0) in vec3 meshPosition;
 layout(location = 1) in vec3 meshNormal;
 layout(location = 2) in vec4 skinMarks; // Sky, lips, lids, blush.
-#ifdef SOLID
 layout(location = 4) in vec2 meshUv;
-out vec2 solidUv;
-#else
+out vec2 skinUv;
+#ifndef SOLID
 layout(location = 3) in vec4 scalpTint; // See ScalpTint::Texel.
 #endif
 #ifdef SOLID
@@ -28,8 +27,8 @@ void main()
 {
     vec3 positionHd = meshPosition;
     vec3 normalHd = meshNormal;
+    skinUv = meshUv;
 #ifdef SOLID
-    solidUv = meshUv;
     positionHd = solidCentreHd.xyz + turnedBy(solidRotation, meshPosition * solidSemiAxesM.xyz);
     normalHd = turnedBy(solidRotation, normalize(meshNormal / solidSemiAxesM.xyz));
 #endif

@@ -3,10 +3,14 @@
 #include "app/settings/languages.h"
 #include "model/document/layer_commands.h"
 #include "model/exporting/map_images.h"
+#include "model/files/glb_writing.h"
+#include "model/files/head_file.h"
+#include "model/heads/part_choice.h"
 #include "model/values/names.h"
 #include "tests/app/exchange_fixture.h"
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"
+#include "tests/support/character.h"
 #include "tests/support/test_program.h"
 #include "view/panels/status_readout.h"
 
@@ -132,6 +136,53 @@ private Q_SLOTS:
         QVERIFY(resolved->texel(0, 0)[0] > 0);
         const int middle = length.width() / 2;
         QVERIFY(std::abs(qGray(length.pixel(middle, middle)) - resolved->texel(middle, middle)[0] / 257) <= 1);
+    }
+
+    void anImageForEachUvTileGoesOutAndComesBackAsOneLayer()
+    {
+        model::RiggedMesh mesh;
+        for (const int tile : {0, 1}) {
+            test::addBall(mesh, {0.0F, 0.3F * static_cast<float>(tile), 0.0F}, 0.12F, 16);
+            test::closePart(mesh, "Ball_" + std::to_string(tile), "").tile = {tile, 0};
+        }
+        mesh.skeleton = {};
+        const auto head =
+            model::makeHead(QStringLiteral("tiles"), model::glbFromMesh(model::arranged(mesh)), 1.0F, model::UpAxis::Y);
+        QVERIFY(head);
+        model::Project project = test::smallProject();
+        project.head = *head;
+        sim::TiledRaster& lengths = project.groups.front().map(model::MapKind::Length).layers.front().raster;
+        lengths = sim::TiledRaster(lengths.size(), lengths.channels(), {40'000, 65'535});
+        lengths.setTexel(10, 200, {20'000, 65'535}); // Of the tile at the left; both lie in the lower half.
+        lengths.setTexel(200, 200, {10'000, 65'535});
+        openTold(std::move(project));
+        editor().target().setMap(model::MapKind::Length);
+        m_answers->file = freshFolder("tiles");
+        m_answers->choosesMaps = [](view::ExportMapsDialog& dialog) {
+            const QList<QComboBox*> boxes = dialog.findChildren<QComboBox*>();
+            boxes[0]->setCurrentIndex(static_cast<int>(view::MapRange::Active));
+            boxes[2]->setCurrentIndex(1); // An image each.
+        };
+        trigger("file.saveImages");
+        QVERIFY2(m_answers->said.isEmpty(), qPrintable(m_answers->said.join(QLatin1Char('|'))));
+        const QDir folder(path("tiles"));
+        QCOMPARE(folder.entryList(QDir::Files),
+                 (QStringList{QStringLiteral("Scalp-length.1001.png"), QStringLiteral("Scalp-length.1002.png")}));
+        QVERIFY2(m_told.first().startsWith(QLatin1Char('1')), qPrintable(m_told.first())); // One map.
+
+        m_answers->file = folder.filePath(QStringLiteral("Scalp-length.1002.png"));
+        trigger("file.loadImage");
+        QVERIFY2(m_answers->said.isEmpty(), qPrintable(m_answers->said.join(QLatin1Char('|'))));
+        QCOMPARE(stack().count(), 1);
+        const model::Layer& layer = layers().back();
+        QCOMPARE(layer.name, QStringLiteral("Scalp-length"));
+        const auto near = [&layer](int x, int y, int value) {
+            return layer.raster.texel(x, y)[1] == 65'535 && std::abs(int{layer.raster.texel(x, y)[0]} - value) <= 1;
+        };
+        QVERIFY(near(10, 200, 20'000) && near(200, 200, 10'000) && near(11, 200, 40'000));
+        QCOMPARE(layer.raster.texel(10, 100)[1], std::uint16_t{0}); // No tile lies there.
+        trigger("edit.undo");
+        QCOMPARE(layers().size(), std::size_t{1});
     }
 
     void mapsThatAreThereAreReplacedOnlyAfterAsking()

@@ -3,6 +3,8 @@
 #include "model/files/project_file.h"
 #include "tests/app/project_folder.h"
 #include "tests/app/thin_project.h"
+#include "tests/model/archive_maker.h"
+#include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
 
 #include <QDir>
@@ -204,6 +206,56 @@ private Q_SLOTS:
         QCOMPARE(layersOf(model::MapKind::Density), QStringList{QStringLiteral("bald")});
         QCOMPARE(layersOf(model::MapKind::Length), QStringList{QStringLiteral("Scalp-length")});
         QCOMPARE(hairsOf(infoOf(project)), 0);
+    }
+
+    void imagesOfUvTilesComeBackAsTheyWentOut()
+    {
+        // A ball whose layout goes on in the tile at the right.
+        const sim::HeadMesh ball = makeBallHead(24, 0.12F);
+        QByteArray obj;
+        for (const glm::vec3& p : ball.positionsHd)
+            obj += QStringLiteral("v %1 %2 %3\n").arg(p.x).arg(p.y).arg(p.z).toLatin1();
+        for (const glm::vec2& uv : ball.uvs)
+            obj += QStringLiteral("vt %1 %2\n").arg(2.0F * uv.x).arg(uv.y).toLatin1();
+        for (const glm::uvec3& t : ball.triangles)
+            obj += QStringLiteral("f %1/%1 %2/%2 %3/%3\n").arg(t.x + 1).arg(t.y + 1).arg(t.z + 1).toLatin1();
+        writeBytes(m_folder.path("udim.obj"), obj);
+        const QStringList head{QStringLiteral("--head"), m_folder.path("udim.obj")};
+        const QDir folder(m_folder.path("udim"));
+        const QDir again(m_folder.path("udim2"));
+        QVERIFY(folder.mkpath(QStringLiteral(".")));
+        QVERIFY(!m_folder.filled("udim/head_density.1001.png", QColor(200, 255, 200)).isEmpty());
+        QVERIFY(!m_folder.filled("udim/head_density.1002.png", Qt::green).isEmpty());
+        QVERIFY(!m_folder.filled("udim/head_density.1005.png", Qt::red).isEmpty());
+        const QString project = m_folder.path("udim.hairpaint");
+        const Outcome made = runProgram(QStringList{QStringLiteral("new"), QStringLiteral("-o"), project} + head +
+                                        QStringList{QStringLiteral("--maps"), folder.path()});
+        QVERIFY2(made.code == 0 && made.output.contains(QStringLiteral("1005")), qPrintable(made.output + made.error));
+        const Outcome out = runProgram(
+            {QStringLiteral("export"), project, QStringLiteral("--maps"), again.path(), QStringLiteral("--udim")});
+        QVERIFY2(out.code == 0, qPrintable(out.error));
+        for (const char* number : {"1001", "1002"}) {
+            const QImage before(folder.filePath(QStringLiteral("head_density.%1.png").arg(QLatin1StringView(number))));
+            const QImage after(again.filePath(QStringLiteral("Scalp-density.%1.png").arg(QLatin1StringView(number))));
+            QCOMPARE(after.size(), QSize(256, 256));
+            QCOMPARE(after.pixel(0, 0), before.pixel(0, 0));
+            QCOMPARE(after.pixel(255, 255), before.pixel(255, 255));
+        }
+        // By one map, and a pattern that no file has.
+        const QString pattern = QStringLiteral("density=") + again.filePath(QStringLiteral("Scalp-density.<UDIM>.png"));
+        QCOMPARE(make(m_folder.path("one.hairpaint"), head + QStringList{QStringLiteral("--map"), pattern}), QString());
+        const model::Result<model::Project> first = model::loadProject(project);
+        const model::Result<model::Project> second = model::loadProject(m_folder.path("one.hairpaint"));
+        QVERIFY(first && second);
+        const auto rasterOf = [](const model::Project& of) {
+            return of.groups.front().map(model::MapKind::Density).layers.front().raster;
+        };
+        QVERIFY(rasterOf(*first) == rasterOf(*second));
+        const Outcome none =
+            runProgram(QStringList{QStringLiteral("new"), QStringLiteral("-o"), project} + head +
+                       QStringList{QStringLiteral("--map"), QStringLiteral("density=none.<UDIM>.png")});
+        QCOMPARE(none.code, 1);
+        QVERIFY2(none.error.contains(QStringLiteral("none.1001.png")), qPrintable(none.error));
     }
 
     void aFolderWithoutImagesOfMapsFails()

@@ -30,8 +30,8 @@ QString mapsUnderEach(const QString& suffix, Options... options)
                                                                        sim::Texel{30'000, 20'000, 10'000})});
     test::FaultyFolder folder;
     return folder.underEach<Fault>(
-        {folder.filePath(mapImageNames(maps, *image.format)[1])},
-        [&] { return writeMapImages(maps, folder.path(), image); }, options...);
+        {folder.filePath(mapImageNames(maps, image)[1])}, [&] { return writeMapImages(maps, folder.path(), image); },
+        options...);
 }
 
 } // namespace

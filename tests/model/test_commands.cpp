@@ -112,6 +112,7 @@ private Q_SLOTS:
     void layersAreAddedMovedAndRemoved();
     void groupsChangeOrder();
     void namesSayWhatWasDone();
+    void aHeadsOwnPictureComesAndGoesWithIt();
     void nothingToDoGivesNoCommand();
     void aPresetIsOneStepAndKeepsIdsOfGroupsOfTheSameName();
     void aPresetFlattensWhatIsShown();
@@ -245,6 +246,28 @@ void TestCommands::namesSayWhatWasDone()
              QStringLiteral("Apply style \"Bob\""));
     QCOMPARE(setBackgroundCommand(document, 0xFF123456)->text(), QStringLiteral("Change background"));
     QCOMPARE(setSkinCommand(document, SkinTone::Olive)->text(), QStringLiteral("Change skin tone"));
+}
+
+void TestCommands::aHeadsOwnPictureComesAndGoesWithIt()
+{
+    Document document(patchProject());
+    document.push(setSkinCommand(document, SkinTone::Brown));
+    const auto plain = document.project().head;
+    auto pictured = std::make_shared<Head>(*plain);
+    pictured->texture = std::make_shared<const sim::MeshTexture>();
+    document.push(setHeadCommand(document, pictured, {}));
+    QVERIFY(document.project().skin == SkinTone::Own);
+    document.undo();
+    QVERIFY(document.project().skin == SkinTone::Brown);
+    document.redo();
+    QVERIFY(document.project().skin == SkinTone::Own);
+    // The same head with other landmarks leaves what was chosen.
+    document.push(setSkinCommand(document, SkinTone::Fair));
+    document.push(setHeadCommand(document, std::make_shared<Head>(*pictured), {}));
+    QVERIFY(document.project().skin == SkinTone::Fair);
+    document.push(setSkinCommand(document, SkinTone::Own));
+    document.push(setHeadCommand(document, plain, {}));
+    QVERIFY(document.project().skin == SkinTone::Clay);
 }
 
 void TestCommands::nothingToDoGivesNoCommand()

@@ -99,7 +99,7 @@ private Q_SLOTS:
             {.group = QStringLiteral("a/b:c"), .kind = MapKind::Density, .resolved = {}},
             {.group = QStringLiteral("a_b_c"), .kind = MapKind::Density, .resolved = {}},
             {.group = QStringLiteral(" .. "), .kind = MapKind::Curl, .resolved = {}}};
-        QCOMPARE(mapImageNames(maps, *findMapImageFormat(QStringLiteral("TIF"))),
+        QCOMPARE(mapImageNames(maps, {.format = findMapImageFormat(QStringLiteral("TIF"))}),
                  (QStringList{QStringLiteral("a_b_c-density.tif"), QStringLiteral("a_b_c-density-2.tif"),
                               QStringLiteral("__-curl.tif")}));
         QVERIFY(findMapImageFormat(QStringLiteral("gif")) == nullptr);

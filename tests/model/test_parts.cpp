@@ -102,6 +102,48 @@ private Q_SLOTS:
         QCOMPARE(made.uvs, mesh.uvs); // They lie beside each other already.
     }
 
+    void aBodyThatHangsTogetherWithTheHeadIsSeen()
+    {
+        // Tube and ball share a ring of positions at the neck, as objects cut there do.
+        const sim::HeadMesh ball = makeBallHead(24, 0.12F);
+        RiggedMesh mesh;
+        const auto add = [&mesh, &ball](glm::vec3 stretch, glm::vec3 moved) {
+            const auto first = static_cast<std::uint32_t>(mesh.positionsHd.size());
+            for (std::size_t i = 0; i < ball.positionsHd.size(); ++i) {
+                mesh.positionsHd.push_back(ball.positionsHd[i] * stretch + moved);
+                mesh.normalsHd.push_back(ball.normalsHd[i]);
+                mesh.uvs.push_back(ball.uvs[i]);
+            }
+            for (const glm::uvec3& t : ball.triangles)
+                mesh.triangles.push_back(t + first);
+        };
+        // The ball's lowest point, a whole row of vertices, is the body's topmost.
+        add(glm::vec3(1.0F), {0.0F, 1.68F, 0.0F});
+        closePart(mesh, "Head", "Skin");
+        add({2.0F, 6.5F, 1.0F}, {0.0F, 0.78F, 0.0F});
+        closePart(mesh, "Body", "Skin");
+        QCOMPARE(likelyUses(mesh, kUp, 1.0F), (std::vector<PartUse>{PartUse::Grows, PartUse::Seen}));
+        mesh.parts[1].name = "Neck";
+        for (std::size_t i = ball.positionsHd.size(); i < mesh.positionsHd.size(); ++i)
+            mesh.positionsHd[i].y = 1.56F - 0.1F * (1.56F - mesh.positionsHd[i].y); // As high as a neck.
+        QCOMPARE(likelyUses(mesh, kUp, 1.0F), (std::vector<PartUse>{PartUse::Grows, PartUse::Grows}));
+    }
+
+    void aPartNamedHeadIsBeforeOneWithBroaderShoulders()
+    {
+        RiggedMesh mesh;
+        addBall(mesh, {0.0F, 0.8F, 0.0F}, 0.12F, 16); // A puppet's body, as broad as its head is not.
+        for (glm::vec3& position : mesh.positionsHd)
+            position.x *= 2.0F;
+        closePart(mesh, "Body", "");
+        addBall(mesh, {0.0F, 0.95F, 0.0F}, 0.09F, 16);
+        closePart(mesh, "Face", "");
+        mesh.skeleton = {};
+        QCOMPARE(likelyUses(mesh, kUp, 1.0F), (std::vector<PartUse>{PartUse::Seen, PartUse::Grows}));
+        mesh.parts[1].name = "Headphones";
+        QCOMPARE(likelyUses(mesh, kUp, 1.0F).front(), PartUse::Grows);
+    }
+
     void namesAreThoseOfPartsAndMaterialsAndUnknownOnesAreToldOf()
     {
         const RiggedMesh mesh = chosenCharacter({.comingIn = {QStringLiteral("head"), QStringLiteral("iris")}});

@@ -258,16 +258,102 @@ private Q_SLOTS:
         QVERIFY(bald && bald->groups.empty());
     }
 
+    void otherFilesOfTheFolderAreFollowed_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<int>("groups");
+        QTest::addColumn<float>("x"); // Of the first strand's root.
+        const auto prim = [](const QByteArray& metadata, const QByteArray& inside = "") {
+            return "#usda 1.0\n(\n metersPerUnit = 1\n)\ndef Xform \"Ann\" (\n " + metadata + "\n) {\n" + inside +
+                   "\n}\n";
+        };
+        const QByteArray moved = "double3 xformOp:translate = (5, 0, 0)\n"
+                                 "uniform token[] xformOpOrder = [\"xformOp:translate\"]\n";
+        QTest::newRow("default prim") << prim("prepend references = @./hair/both.usda@") << 1 << 1.0F;
+        QTest::newRow("a prim") << prim("references = @hair/both.usda@</Other/In>") << 1 << 0.0F;
+        QTest::newRow("in a list")
+            << prim("references = [@hair/both.usda@</Hair>, @hair/both.usda@</Other> (offset = 1)]") << 2 << 1.0F;
+        QTest::newRow("payload") << prim("payload = @@@hair/both.usda@@@</Hair>") << 1 << 1.0F;
+        QTest::newRow("moved elsewhere") << prim("payload = @hair/both.usda@", moved) << 1 << 5.0F;
+        QTest::newRow("under one that is moved")
+            << prim("kind = \"group\"", moved + "def \"b\" ( references = @hair/both.usda@ ) { }\n") << 1 << 6.0F;
+        QTest::newRow("layers") << QByteArray("#usda 1.0\n(\n subLayers = [ @hair/both.usda@ ]\n)\n") << 2 << 1.0F;
+        QTest::newRow("of the same file")
+            << prim("references = </Proto>") + "class \"Proto\" {\n def \"c\" ( references = "
+                                               "@hair/both.usda@ ) { }\n}\n"
+            << 1 << 1.0F;
+        QTest::newRow("a file that refers on") << prim("references = @hair/on.usda@") << 1 << 1.0F;
+        QTest::newRow("hidden") << prim("references = @hair/both.usda@", "token visibility = \"invisible\"\n") << 0
+                                << 0.0F;
+        QTest::newRow("outside the folder") << prim("references = @../outside.usda@") << -1 << 0.0F;
+        QTest::newRow("in a circle") << prim("references = @circle.usda@") << -1 << 0.0F;
+        QTest::newRow("itself") << prim("references = </Ann>") << -1 << 0.0F;
+    }
+    void otherFilesOfTheFolderAreFollowed()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(int, groups);
+        QFETCH(float, x);
+        const QTemporaryDir folder;
+        const auto write = [&folder](const char* name, const QByteArray& content) {
+            test::writeBytes(folder.filePath(QLatin1StringView(name)), content);
+        };
+        QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("ann/hair")));
+        const QByteArray curves = "def BasisCurves \"Locks\" {\n" + kCurves + "}\n";
+        const QByteArray hair = "def Xform \"Hair\" {\n double3 xformOp:translate = (1, 0, 0)\n"
+                                " uniform token[] xformOpOrder = [\"xformOp:translate\"]\n" +
+                                curves + "}\n";
+        write("ann/hair/both.usda", "#usda 1.0\n(\n defaultPrim = \"Hair\"\n)\n" + hair +
+                                        "def Xform \"Other\" {\n def \"In\" {\n" + curves + "}\n}\n");
+        write("ann/hair/on.usda", "#usda 1.0\ndef \"On\" ( references = @both.usda@ ) { }\n");
+        write("ann/circle.usda", "#usda 1.0\ndef \"a\" ( references = @circle.usda@ ) { }\n");
+        write("outside.usda", "#usda 1.0\n" + hair);
+        write("ann/first.usda", text);
+        const auto read = readUsdText(text, {}, usdFilesBeside(folder.filePath(QStringLiteral("ann/first.usda"))));
+        if (groups < 0) {
+            QVERIFY(!read);
+            return;
+        }
+        QVERIFY(read && *read);
+        QCOMPARE((*read)->groups.size(), static_cast<std::size_t>(groups));
+        if (groups > 0)
+            QCOMPARE((*read)->groups.front().strand(0).front().x, x);
+    }
+
+    void closedCurvesEndWhereTheyBegin_data()
+    {
+        QTest::addColumn<QByteArray>("basis");
+        QTest::addColumn<int>("points");
+        QTest::newRow("linear") << QByteArray("token type = \"linear\"") << 7;
+        QTest::newRow("bezier") << QByteArray("token basis = \"bezier\"") << 3;
+        QTest::newRow("bspline") << QByteArray("token basis = \"bspline\"") << 7;
+        QTest::newRow("catmullRom") << QByteArray("token basis = \"catmullRom\"") << 7;
+    }
+    void closedCurvesEndWhereTheyBegin()
+    {
+        QFETCH(QByteArray, basis);
+        QFETCH(int, points);
+        const std::optional<ForeignCurves> curves =
+            read(textOf("int[] curveVertexCounts = [6]\n"
+                        "point3f[] points = [(0, 0, 0), (0, 1, 0), (1, 2, 0), (2, 2, 0), (2, 1, 0), (1, 0, 0)]\n"
+                        "token wrap = \"periodic\"\nuniform " +
+                        basis + "\n"));
+        QVERIFY(curves && curves->groups.size() == 1);
+        const auto strand = curves->groups.front().strand(0);
+        QCOMPARE(strand.size(), static_cast<std::size_t>(points));
+        QVERIFY(glm::distance(strand.front(), strand.back()) < 1e-6F);
+    }
+
     void whatHoldsOtherCurvesIsNamed_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QString>("named");
         QTest::newRow("NURBS") << QByteArray("#usda 1.0\ndef NurbsCurves \"a\" { int[] order = [4] }\n")
                                << QStringLiteral("NURBS");
-        QTest::newRow("references") << QByteArray("#usda 1.0\ndef Xform \"a\" ( references = @b.usda@ ) { }\n")
-                                    << QStringLiteral("other files");
+        QTest::newRow("references") << QByteArray("#usda 1.0\ndef Xform \"a\" ( references = @b.usd@</c> ) { }\n")
+                                    << QStringLiteral("b.usd;");
         QTest::newRow("layers") << QByteArray("#usda 1.0\n(\n subLayers = [ @b.usda@ ]\n)\n")
-                                << QStringLiteral("other files");
+                                << QStringLiteral("b.usda;");
     }
     void whatHoldsOtherCurvesIsNamed()
     {

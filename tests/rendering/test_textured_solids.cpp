@@ -72,6 +72,29 @@ private Q_SLOTS:
         }
     }
 
+    void aPictureLiesOnTheHeadAndIsTakenAwayAgain()
+    {
+        auto halves = std::make_shared<sim::MeshTexture>();
+        halves->width = halves->height = 2;
+        halves->rgba = {220, 10, 10, 255, 10, 10, 220, 255, 220, 10, 10, 255, 10, 10, 220, 255};
+        Scene scene = emptyScene();
+        scene.head = makeBall(kBall);
+        scene.skinTexture = halves;
+        // From the front, u = 0 and 1 meet in the middle of the picture, and so do the colours.
+        const std::array<Picture, 2> drawn = drawnByBoth(scene);
+        for (const Picture& picture : drawn) {
+            const glm::ivec3 left = picture.at(kMiddleX - 30, kMiddleY);
+            const glm::ivec3 right = picture.at(kMiddleX + 30, kMiddleY);
+            QVERIFY((left.x > 2 * left.z && right.z > 2 * right.x) || (left.z > 2 * left.x && right.x > 2 * right.z));
+        }
+        QVERIFY(drawn[0].difference(drawn[1]) / (3.0 * 255.0) < 0.02);
+        scene.skinTexture.reset();
+        for (const Picture& picture : drawnByBoth(scene)) {
+            const glm::ivec3 left = picture.at(kMiddleX - 30, kMiddleY);
+            QVERIFY(left.x < 2 * left.z && left.z < 2 * left.x);
+        }
+    }
+
 private:
     /// By software, then by OpenGL.
     std::array<Picture, 2> drawnByBoth(const Scene& scene)

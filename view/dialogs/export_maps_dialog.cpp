@@ -1,4 +1,4 @@
-// Range, values, format, depth.
+// Range, values, tiles, format, depth.
 #include "view/dialogs/export_maps_dialog.h"
 
 #include "view/look/theme.h"
@@ -9,11 +9,27 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace hairpaint::view {
 
-ExportMapsDialog::ExportMapsDialog(const QString& map, const QString& group, const MapsExportChoice& before,
-                                   QWidget* parent)
-    : QDialog(parent)
+namespace {
+
+/// "1001, 1002, ... 1014"
+QString listed(const model::UvTiles& tiles)
+{
+    constexpr qsizetype kMost = 3;
+    QStringList numbers;
+    for (const int number : tiles.numbers())
+        numbers.append(QString::number(number));
+    const QString last = numbers.size() > kMost ? QStringLiteral(", … ") + numbers.last() : QString();
+    return numbers.first(std::min(kMost, numbers.size())).join(QStringLiteral(", ")) + last;
+}
+
+} // namespace
+
+ExportMapsDialog::ExportMapsDialog(const MapsToExport& maps, const MapsExportChoice& before, QWidget* parent)
+    : QDialog(parent), m_headTiles(maps.tiles)
 {
     constexpr int kMargin = 16;
     constexpr int kWidth = 380;
@@ -24,9 +40,15 @@ ExportMapsDialog::ExportMapsDialog(const QString& map, const QString& group, con
     auto* form = new QFormLayout;
     form->setSpacing(metrics::kGap);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    m_range = addChoice(*form, tr("&Maps"),
-                        {tr("%1 of %2").arg(map, group), tr("All of %1").arg(group), tr("All of every group")});
+    m_range = addChoice(
+        *form, tr("&Maps"),
+        {tr("%1 of %2").arg(maps.map, maps.group), tr("All of %1").arg(maps.group), tr("All of every group")});
     m_values = addChoice(*form, tr("&Values"), {tr("In the colours of their scales"), tr("As grey")});
+    if (!m_headTiles.isOneMap() && !m_headTiles.shared()) {
+        m_tiles = addChoice(*form, tr("UV &tiles"),
+                            {tr("Side by side on one image"), tr("An image each: %1").arg(listed(m_headTiles))});
+        m_tiles->setCurrentIndex(before.options.tiles ? 1 : 0);
+    }
     QStringList formats;
     for (const model::MapImageFormat& format : model::mapImageFormats())
         formats += QString::fromLatin1(format.suffix).toUpper();
@@ -66,7 +88,9 @@ MapsExportChoice ExportMapsDialog::choice() const
     return {.range = static_cast<MapRange>(m_range->currentIndex()),
             .options = {.format = &model::mapImageFormats()[static_cast<std::size_t>(m_format->currentIndex())],
                         .bits = m_depth->currentIndex() == 0 ? 16 : 8,
-                        .grey = m_values->currentIndex() == 1}};
+                        .grey = m_values->currentIndex() == 1,
+                        .tiles = m_tiles != nullptr && m_tiles->currentIndex() == 1 ? std::optional(m_headTiles)
+                                                                                    : std::nullopt}};
 }
 
 } // namespace hairpaint::view

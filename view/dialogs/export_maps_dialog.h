@@ -26,22 +26,30 @@ struct MapsExportChoice
     model::MapImageOptions options;
 };
 
+/// What there is to choose from.
+struct MapsToExport
+{
+    QString map;          ///< What the active one is called,
+    QString group;        ///< and the active group.
+    model::UvTiles tiles; ///< Of the head.
+};
+
 /// Modal. Nothing is written by it: when accepted, ask for choice().
 class ExportMapsDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// `map`, `group`: what the active ones are called.
-    ExportMapsDialog(const QString& map, const QString& group, const MapsExportChoice& before,
-                     QWidget* parent = nullptr);
+    ExportMapsDialog(const MapsToExport& maps, const MapsExportChoice& before, QWidget* parent = nullptr);
     [[nodiscard]] MapsExportChoice choice() const;
 
 private:
     [[nodiscard]] QComboBox* addChoice(QFormLayout& form, const QString& label, const QStringList& texts);
     void follow();
 
+    model::UvTiles m_headTiles;
     QComboBox* m_range = nullptr;
     QComboBox* m_values = nullptr;
+    QComboBox* m_tiles = nullptr; ///< Null where the head's layout was one of one tile.
     QComboBox* m_format = nullptr;
     QComboBox* m_depth = nullptr;
 };

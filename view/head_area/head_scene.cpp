@@ -99,6 +99,7 @@ void HeadScene::setEnvironment(const model::Project& project, const model::Light
 {
     m_scene.light = sceneLight(light);
     m_scene.skin = sceneSkin(project.skin);
+    m_scene.skinTexture = sceneSkinTexture(project);
     const std::shared_ptr<const sim::Skin> skin = project.head != nullptr ? project.head->skin : nullptr;
     const std::vector<rendering::Solid> before =
         skin == m_solidsOn.lock() ? m_scene.solids : decltype(m_scene.solids)();

@@ -38,6 +38,11 @@ rendering::SkinShading sceneSkin(model::SkinTone tone)
             .sheen = look.sheen};
 }
 
+std::shared_ptr<const sim::MeshTexture> sceneSkinTexture(const model::Project& project)
+{
+    return project.skin == model::SkinTone::Own && project.head ? project.head->texture : nullptr;
+}
+
 std::vector<rendering::Solid> sceneSolids(const std::vector<model::Worn>& worn, const sim::Skin* skin,
                                           std::span<const rendering::Solid> before)
 {

@@ -99,8 +99,9 @@ struct Scene
     Camera camera;
     Light light;
     SkinShading skin;
-    glm::vec3 background{0.03F}; ///< Linear.
-    bool transparent = false;    ///< No background: pixels tell how much of them is covered; see Capabilities.
+    std::shared_ptr<const sim::MeshTexture> skinTexture = {}; ///< On the head, instead of skin's colours; null: none.
+    glm::vec3 background{0.03F};                              ///< Linear.
+    bool transparent = false; ///< No background: pixels tell how much of them is covered; see Capabilities.
     std::optional<Ring> ring;
     std::optional<Ring> mirroredRing;
     friend bool operator==(const Scene&, const Scene&) = default; ///< The same meshes and frame, not ones that look so.

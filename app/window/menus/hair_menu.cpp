@@ -91,7 +91,12 @@ void HairMenu::addSkin(ActionSet& actions, Session& session)
         actions.add(*menu, {{.id = id,
                              .text = look.titleText(),
                              .run = [&document, tone = look.tone] { document.push(setSkinCommand(document, tone)); },
-                             .on = [&document, tone = look.tone] { return document.project().skin == tone; }}});
+                             .on = [&document, tone = look.tone] { return document.project().skin == tone; },
+                             .enabled =
+                                 [&document, tone = look.tone] {
+                                     const auto& head = document.project().head;
+                                     return tone != model::SkinTone::Own || (head && head->texture);
+                                 }}});
     }
 }
 

@@ -97,6 +97,15 @@ void HeadLayer::Mesh::uploadTexture(const std::shared_ptr<const sim::MeshTexture
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 
+void HeadLayer::Mesh::bindTexture(const Program& program, float leastAlpha) const
+{
+    constexpr int kTextureUnit = 0;
+    program.set("skinTextured", glm::vec4(shown ? 1.0F : 0.0F, leastAlpha, 0.0F, 0.0F));
+    program.set("skinTexture", kTextureUnit);
+    if (shown)
+        texture.bind(static_cast<unsigned>(kTextureUnit));
+}
+
 void HeadLayer::Mesh::uploadTint(const ScalpTintSources& tintSources)
 {
     constexpr unsigned kAttribute = 3;
@@ -120,8 +129,8 @@ void HeadLayer::Mesh::uploadTint(const ScalpTintSources& tintSources)
 bool HeadLayer::draw(const Scene& scene, bool coarse, const FrameConstants& constants)
 {
     const FrameConstants part = withoutHair(constants);
-    const bool sameView =
-        scene.head == m_head && scene.cards == m_cards && scene.solids == m_solids && part == m_drawnWith;
+    const bool sameView = scene.head == m_head && scene.cards == m_cards && scene.solids == m_solids &&
+                          scene.skinTexture == m_fine.shown && part == m_drawnWith;
     ScalpTintSources tintSources = scalpTintSources(scene.hair.get());
     if (sameView && !m_isCoarse && tintSources == m_tintSources)
         return false;
@@ -134,6 +143,7 @@ bool HeadLayer::draw(const Scene& scene, bool coarse, const FrameConstants& cons
     Mesh& mesh = m_isCoarse ? m_coarse : m_fine;
     mesh.upload(m_isCoarse ? scene.headInMotion : scene.head);
     mesh.uploadTint(m_tintSources);
+    m_fine.uploadTexture(scene.skinTexture); // On the coarse head too.
 
     const auto width = static_cast<int>(constants.target.x);
     const auto height = static_cast<int>(constants.target.y);
@@ -156,6 +166,7 @@ bool HeadLayer::draw(const Scene& scene, bool coarse, const FrameConstants& cons
     if (mesh.indexCount > 0) {
         m_program.use();
         glVertexAttrib4f(3, 0.0F, 0.0F, 0.0F, 0.0F); // Where nothing tints.
+        m_fine.bindTexture(m_program, 0.0F);
         mesh.draw();
     }
     glDrawBuffers(2, kColourAndWorn.data());
@@ -184,12 +195,7 @@ void HeadLayer::drawSolids()
         m_solidProgram.set("solidCentreHd", glm::vec4(solid.shape.centreHd, 0.0F));
         m_solidProgram.set("solidSemiAxesM", glm::vec4(solid.shape.semiAxesM, 0.0F));
         m_solidProgram.set("solidRotation", glm::vec4(rotation.x, rotation.y, rotation.z, rotation.w));
-        constexpr int kTextureUnit = 0;
-        m_solidProgram.set("solidTextured",
-                           glm::vec4(mesh->shown ? 1.0F : 0.0F, solid.masked ? 0.5F : 0.0F, 0.0F, 0.0F));
-        m_solidProgram.set("solidTexture", kTextureUnit);
-        if (mesh->shown)
-            mesh->texture.bind(static_cast<unsigned>(kTextureUnit));
+        mesh->bindTexture(m_solidProgram, solid.masked ? 0.5F : 0.0F);
         m_solidProgram.set("solidSkin[0]", glm::vec4(skin.colour, skin.scatter));
         m_solidProgram.set("solidSkin[1]", glm::vec4(skin.lips, skin.grain));
         m_solidProgram.set("solidSkin[2]", glm::vec4(skin.lids, skin.sheen));

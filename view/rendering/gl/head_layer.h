@@ -44,6 +44,7 @@ private:
         /// `open`: known to be so.
         void upload(const std::shared_ptr<const sim::HeadMesh>& head, bool open = false);
         void uploadTexture(const std::shared_ptr<const sim::MeshTexture>& picture);
+        void bindTexture(const Program& program, float leastAlpha) const; ///< `shown`, for the program in use.
         void uploadTint(const ScalpTintSources& sources);
         void draw() const; ///< By the program in use.
     };

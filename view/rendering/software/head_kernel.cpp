@@ -221,8 +221,10 @@ HWY_INLINE void lightSamples(const HeadBand& band, const std::int32_t* xs, const
             for (int c = 0; c < 3; ++c)
                 tint[c][i] = texel[c] * band.textureColour[c];
         }
-        point.isTinted = true;
-        point.tint = {Lanes(hn::Load(d, tint[0])), Lanes(hn::Load(d, tint[1])), Lanes(hn::Load(d, tint[2]))};
+        point.isTinted = true; // What tinted it before lies over the picture.
+        point.tint = point.tint + Triple<Lanes>{Lanes(hn::Load(d, tint[0])), Lanes(hn::Load(d, tint[1])),
+                                                Lanes(hn::Load(d, tint[2]))} *
+                                      point.untinted;
         point.untinted = Lanes(0.0F);
     }
     Triple<Lanes> normal = unit(point.normalWo);

@@ -88,7 +88,7 @@ void HeadPicture::update(const Scene& scene, bool coarse, const FrameConstants& 
 {
     const FrameConstants part = withoutHair(constants);
     const bool sameView = scene.head == m_head && scene.cards == m_cards && scene.solids == m_solids &&
-                          part == m_drawnWith && m_width > 0;
+                          scene.skinTexture == m_skinTexture && part == m_drawnWith && m_width > 0;
     ScalpTintSources tintSources = scalpTintSources(scene.hair.get());
     if (sameView && !m_isCoarse && tintSources == m_tintSources)
         return;
@@ -109,6 +109,7 @@ void HeadPicture::update(const Scene& scene, bool coarse, const FrameConstants& 
         mesh.closed = shown && sim::openEdges(*shown).empty();
     }
     m_solids = scene.solids;
+    m_skinTexture = scene.skinTexture;
     mesh.tint.update(shown, m_tintSources);
     transformParts(mesh, constants, height);
     if (scene.cards)
@@ -151,15 +152,18 @@ void HeadPicture::transformParts(const Mesh& mesh, const FrameConstants& constan
     if (head) {
         const std::span<const ScalpTint::Texel> tints = mesh.tint.texels();
         part->isTinted = !tints.empty();
+        part->texture = m_skinTexture.get();
+        part->colour = glm::vec3(1.0F);
         transformInto(part->vertices, head->positionsHd.size(), [&](std::size_t i) {
             HeadVertex vertex = transform.at(head->positionsHd[i], head->normalsHd[i],
                                              head->marks.empty() ? sim::SkinMarks{} : head->marks[i]);
             if (part->isTinted)
                 vertex.tint = glm::vec4(tints[i]) * (1.0F / 65535.0F);
+            if (m_skinTexture)
+                vertex.uv = head->uvs[i];
             return vertex;
         });
         part->isSolid = false;
-        part->texture = nullptr;
         part->isMasked = false;
         part->triangles = head->triangles;
         part->lighting = lightingOf(constants, {.colour = glm::vec3(constants.skin[0]),

@@ -65,6 +65,7 @@ private:
     std::shared_ptr<const sim::HeadMesh> m_head;
     std::shared_ptr<const CardSet> m_cards;
     std::vector<Solid> m_solids;
+    std::shared_ptr<const sim::MeshTexture> m_skinTexture;
     ScalpTintSources m_tintSources;
     FrameConstants m_drawnWith{};
     bool m_isCoarse = false; ///< What the picture shows.
