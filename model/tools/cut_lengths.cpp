@@ -17,6 +17,11 @@ namespace {
 constexpr float kSpacings = 2.0F; ///< Of roots: how far from one its texels may lie.
 constexpr float kLeastReachTx = 2.0F, kMostReachTx = 16.0F;
 
+/// A texel becomes no less than this fraction of what the shortest of the cut hairs that read it asks for, though it
+/// may matter little to them: hair that is planted there later is read from it, too.
+constexpr float kLeastOfWanted = 0.5F;
+constexpr float kMostOfBefore = 1.15F; ///< What a texel may become, so that hair beside the cut keeps its length.
+
 } // namespace
 
 CutLengths::CutLengths(const sim::GroupFrame& hair, sim::MapRaster shown) : m_shown(std::move(shown))
@@ -213,6 +218,22 @@ void CutLengths::divide(Work& work) const
         }
 }
 
+void CutLengths::findLeast()
+{
+    for (Work& work : m_works)
+        work.least.assign(sim::kTileTexels, 65535.0F);
+    const int last = m_shown->size() - 1;
+    for (const std::uint32_t root : m_cutRoots)
+        for (int k = 0; k < 4; ++k) {
+            const int x = std::min(m_roots[root].first.x + k % 2, last);
+            const int y = std::min(m_roots[root].first.y + k / 2, last);
+            const auto texel = static_cast<std::size_t>(y % kTile) * kTile + static_cast<std::size_t>(x % kTile);
+            float& least = m_works[workOf(m_shown->tileIndexAt(x, y))].least[texel];
+            const auto before = static_cast<float>(m_shown->texel(x, y)[0]);
+            least = std::min(least, kLeastOfWanted * cutValue(before, m_kept[root]));
+        }
+}
+
 LengthRead CutLengths::readAt(std::uint32_t root)
 {
     const glm::ivec2 first = m_roots[root].first;
@@ -228,8 +249,10 @@ LengthRead CutLengths::readAt(std::uint32_t root)
         read.texels[k] = &work.wanted[texel];
         read.masks[k] = &work.mask[texel];
         read.weights[k] = (k % 2 == 0 ? 1.0F - fraction.x : fraction.x) * (k / 2 == 0 ? 1.0F - fraction.y : fraction.y);
-        read.before[k] = static_cast<float>(m_shown->texel(x, y)[0]);
-        now += read.weights[k] * read.before[k];
+        const auto before = static_cast<float>(m_shown->texel(x, y)[0]);
+        read.least[k] = std::min(work.least[texel], before);
+        read.most[k] = std::min(before * kMostOfBefore, 65535.0F);
+        now += read.weights[k] * before;
     }
     read.wanted = cutValue(now, m_kept[root]);
     return read;
@@ -238,6 +261,7 @@ LengthRead CutLengths::readAt(std::uint32_t root)
 void CutLengths::correct(bool spares)
 {
     const float perM = 65535.0F / m_rangeM;
+    findLeast();
     std::vector<LengthRead> reads;
     reads.reserve(m_cutRoots.size());
     for (const std::uint32_t root : m_cutRoots)

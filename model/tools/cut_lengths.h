@@ -23,7 +23,8 @@ struct StrandCut
 /// except the ones that the map is read from at a root that is not cut; then they are corrected until the map, read
 /// between its texels at each root that is cut, gives the length that it should. Where there are more roots than texels
 /// not all can be had: no hair stays longer than it is cut then, and some become shorter, also of those that are not
-/// cut, but only as far as no texel that matters less to them could be lowered. One thread; cut() uses parallelFor.
+/// cut, but only as far as no texel that matters less to them could be changed. No texel becomes much less than the
+/// hair around it needs. One thread; cut() uses parallelFor.
 class CutLengths
 {
 public:
@@ -56,7 +57,8 @@ private:
     struct Work
     {
         int tile = 0;
-        std::vector<float> wanted; ///< [64][64], 0..65535.
+        std::vector<float> wanted;     ///< [64][64], 0..65535.
+        std::vector<float> least = {}; ///< What a texel may become.
         MaskTile mask{};
         std::vector<std::uint16_t> values = {};
     };
@@ -71,6 +73,7 @@ private:
     [[nodiscard]] LengthRead readAt(std::uint32_t root);
     void findOwners(int tile);
     void divide(Work& work) const;
+    void findLeast();
     void correct(bool spares);
     [[nodiscard]] std::vector<LengthRead> readsBeside();
 

@@ -40,6 +40,7 @@ GroupCut::GroupCut(ToolContext& context, std::shared_ptr<const sim::StrandFrame>
         return;
     m_edit.setText(text);
     m_lengths.emplace(*m_hair, std::move(length));
+    m_tips = CutTips::in(m_edit, context);
     m_before.emplace(context.document, context.target.group, groom().roots);
 }
 
@@ -137,6 +138,8 @@ void GroupCut::cut(const std::function<float(std::uint32_t slot, float lengthM)>
         keepInside(m_edit.clips(), m_edit.before().tileRect(index), mask);
         return paintTile(m_edit.spec(), before, mask, {.values = m_lengths->values(index)});
     });
+    if (m_tips)
+        m_tips->show(m_edit, *m_lengths);
 }
 
 void GroupCut::measureHeights()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/tools/cut_lengths.h"
+#include "model/tools/cut_tips.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/strand_lengths.h"
 #include "sim/motion/strand_frame.h"
@@ -29,7 +30,8 @@ struct GradedLengths
 };
 
 /// A running cut of a group's drawn hair: each call replaces what the one before showed. The hair is cut as it lay when
-/// this was made; inside the selection, on the length layer that is the target. GUI thread.
+/// this was made; inside the selection, on the length layer that is the target; tip
+/// colours that are cut off are gone. GUI thread.
 class GroupCut
 {
 public:
@@ -66,6 +68,7 @@ private:
     const sim::GroupFrame* m_hair = nullptr; ///< In the frame.
     LiveEdit m_edit;
     std::optional<CutLengths> m_lengths;
+    std::optional<CutTips> m_tips;
     std::optional<StrandLengths> m_before;
     std::vector<float> m_lowestHd; ///< By slot; empty until it is asked for.
 };

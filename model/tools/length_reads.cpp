@@ -10,11 +10,11 @@ namespace hairpaint::model {
 namespace {
 
 constexpr int kSweeps = 16;
-constexpr int kSparingSweeps = 8;
+constexpr int kSparingSweeps = 24;
 constexpr float kErrorM = 1e-4F;       ///< Of a hair's length; then the sweeps end.
 constexpr float kTooLongM = 1e-3F;     ///< A hair that is too long by less is not seen to be;
 constexpr float kReleasedM = 5e-3F;    ///< where one would be by more, those beside it become shorter, too,
-constexpr float kTooShortM = 1e-3F;    ///< and by more than this only where nothing else helps.
+constexpr float kOffM = 1e-3F;         ///< and they are off by more than this only where nothing else helps.
 constexpr float kLeastSquares = 1e-3F; ///< Of the weights of texels that may change.
 
 /// What the longest is too long by.
@@ -52,7 +52,7 @@ void LengthRead::move(float by)
         return;
     for (std::size_t k = 0; k < 4; ++k)
         if (*masks[k] != 0)
-            *texels[k] = std::clamp(*texels[k] + by * weights[k] / squares, 0.0F, before[k]);
+            *texels[k] = std::clamp(*texels[k] + by * weights[k] / squares, least[k], most[k]);
 }
 
 void bringToWanted(std::span<LengthRead> reads, float perM)
@@ -78,8 +78,8 @@ void shortenTooLong(std::span<LengthRead> reads, std::span<LengthRead> beside, f
     float worst = std::numeric_limits<float>::max();
     for (int sweep = 0; sweep < kSparingSweeps && !beside.empty(); ++sweep) {
         for (LengthRead& read : beside)
-            if (const float missing = read.wanted - read.value(); missing > kTooShortM * perM)
-                read.move(missing);
+            if (const float off = read.wanted - read.value(); std::abs(off) > kOffM * perM)
+                read.move(off);
         worst = shorten(reads, perM);
     }
     for (int sweep = 0; sweep < kSweeps && worst > kTooLongM * perM; ++sweep)

@@ -13,11 +13,11 @@ struct LengthRead
     std::array<float*, 4> texels{};
     std::array<std::uint16_t*, 4> masks{}; ///< 0: the texel may not change.
     std::array<float, 4> weights{};
-    std::array<float, 4> before{};
+    std::array<float, 4> least{}, most{}; ///< Of a texel's value.
     float wanted = 0.0F;
 
     [[nodiscard]] float value() const;
-    /// By the least that takes the value there, as far as the texels may change; none becomes more than before.
+    /// By the least that takes the value there, as far as the texels may change.
     void move(float by);
 };
 
@@ -27,8 +27,8 @@ void bringToWanted(std::span<LengthRead> reads, float perM);
 /// Shortens what is longer than wanted once, and tells whether there is such; all texels of what is longer by 5 mm may
 /// change from here on.
 [[nodiscard]] bool releaseTooLong(std::span<LengthRead> reads, float perM);
-/// Shortens what is longer than wanted. `beside`: reads that should stay as they are; they become shorter only as far
-/// as nothing else helps.
+/// Shortens what is longer than wanted. `beside`: reads that should stay as they are; they change only as far as
+/// nothing else helps.
 void shortenTooLong(std::span<LengthRead> reads, std::span<LengthRead> beside, float perM);
 
 } // namespace hairpaint::model

@@ -1,4 +1,5 @@
 // Brushes of the real window over hair that hangs: on the strands that are seen, or on the skin below.
+#include "model/document/scene_commands.h"
 #include "sim/groom/direction_texel.h"
 #include "tests/app/long_hair_fixture.h"
 #include "tests/support/test_program.h"
@@ -270,6 +271,24 @@ private Q_SLOTS:
                           Qt::NoScrollPhase, false);
         QApplication::sendEvent(m_head, &wheel);
         QTRY_VERIFY_WITH_TIMEOUT(overlay->strands() != before && !overlay->strands().empty(), test::kPatienceMs);
+    }
+
+    void theStrandsThatAreMeantMoveWithTheHairUnderAPointerThatRests()
+    {
+        openWithLongHair();
+        editor().target().setMap(MapKind::Colour);
+        setTools(model::ToolId::Brush, TouchKind::Seen);
+        const auto* overlay = m_window->headView().findChild<view::HeadOverlay*>();
+        QTest::mouseMove(m_head, m_at + QPoint(0, 1));
+        QTest::mouseMove(m_head, m_at);
+        const std::vector<QPolygonF> before = overlay->strands();
+        QVERIFY(!before.empty());
+        session().document().push(
+            model::setWindCommand(session().document(), {.enabled = true, .velocity = {4.0F, 0.0F, 0.0F}}));
+        session().document().setWindOn(true);
+        QTRY_VERIFY_WITH_TIMEOUT(overlay->strands() != before && !overlay->strands().empty(), test::kPatienceMs);
+        const std::vector<QPolygonF> once = overlay->strands();
+        QTRY_VERIFY_WITH_TIMEOUT(overlay->strands() != once, test::kPatienceMs);
     }
 
     void aClickWithCtrlTakesWhatTheStrandHasAtItsRoot()

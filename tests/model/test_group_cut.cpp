@@ -1,5 +1,7 @@
 // Cuts of all hair of a group: trimmed, to a level, in layers.
 #include "model/tools/group_cut.h"
+#include "model/values/srgb.h"
+#include "sim/groom/strand_look.h"
 #include "tests/model/side_view.h"
 #include "tests/model/tool_studio.h"
 #include "tests/model/worn_style.h"
@@ -21,9 +23,8 @@ constexpr float kErrorM = 0.0005F;
 /// A style whose hair has settled.
 struct Salon : Studio
 {
-    explicit Salon(const QString& style)
-        : Studio(wearing(style, kSomeHairs)), before(live.settled(document.groomInput()))
-    {}
+    explicit Salon(const QString& style) : Salon(wearing(style, kSomeHairs)) {}
+    explicit Salon(Project project) : Studio(std::move(project)), before(live.settled(document.groomInput())) {}
 
     [[nodiscard]] const sim::GroupFrame& was() const { return before->groups.front(); }
     /// The hair once it is cut; roots keep their slots.
@@ -70,6 +71,50 @@ private Q_SLOTS:
         });
         QVERIFY(shorter > 100);
         QVERIFY2(off * 100 < salon.was().groom->drawnCount, qPrintable(QString::number(off)));
+        salon.document.undo();
+        QVERIFY(sameProjects(salon.document.project(), untouched));
+    }
+
+    void dyedTipsAreCutOff()
+    {
+        constexpr float kTrimM = 0.12F;
+        Project dyed = wearing(QStringLiteral("Long straight"), kSomeHairs);
+        sim::TiledRaster& tips = dyed.groups.front().map(MapKind::TipColour).layers.front().raster;
+        for (int index = 0; index < tips.tileCount(); ++index)
+            tips.setUniform(index, {65535, 65535, 0, 65535});
+        dyed.groups.front().settings.material.tipFrom = 0.5F;
+        Salon salon(std::move(dyed));
+        const Project untouched = salon.document.project();
+        ToolContext context = salon.context();
+        GroupCut cut(context, salon.before, QStringLiteral("Trim"));
+        cut.trim(kTrimM, 0.0F);
+        cut.commit();
+        const auto after = salon.now();
+        const sim::Groom& was = *salon.was().groom;
+        const sim::Groom& is = *after->groups.front().groom;
+        // At a point of a hair that stays, its part of the tip's green.
+        const auto greenAt = [](const sim::Groom& groom, std::uint32_t slot, float alongM) {
+            const sim::StrandStyle& style = groom.style(slot);
+            const float part = sim::tipMixOf(groom.settings.material, style.tipStart).at(alongM / style.lengthM);
+            const auto lightOf = [](std::uint32_t colour) {
+                return linearFromSrgb(static_cast<float>(colour >> 8U & 0xFFU) / 255.0F);
+            };
+            return glm::mix(lightOf(style.rootColour), lightOf(style.tipColour), part);
+        };
+        std::size_t looked = 0;
+        std::size_t off = 0;
+        for (std::uint32_t slot = 0; slot < was.roots->count(); ++slot) {
+            const float keptM = is.style(slot).lengthM;
+            if (!salon.was().isPositioned(slot) || was.style(slot).lengthM - keptM < 0.9F * kTrimM)
+                continue;
+            for (const float alongM : {0.3F * keptM, 0.8F * keptM, keptM}) {
+                ++looked;
+                off += std::abs(greenAt(is, slot, alongM) - greenAt(was, slot, alongM)) > 0.04F ? 1 : 0;
+            }
+        }
+        QVERIFY(looked > 300);
+        QVERIFY2(off * 50 < looked, qPrintable(QStringLiteral("%1 of %2").arg(off).arg(looked)));
+        QCOMPARE(salon.document.undoStack().count(), 1);
         salon.document.undo();
         QVERIFY(sameProjects(salon.document.project(), untouched));
     }

@@ -168,6 +168,31 @@ private Q_SLOTS:
                 QCOMPARE(barber.kept(slot), 1.0F);
     }
 
+    /// Hair that is planted later is read from texels that matter little to the hair that is cut.
+    void noTexelBesideACutIsMuchLessThanTheHairThereNeeds_data()
+    {
+        QTest::addColumn<int>("mapSize");
+        QTest::newRow("three roots on five texels") << 64;
+        QTest::newRow("a root on seven texels") << 128;
+    }
+    void noTexelBesideACutIsMuchLessThanTheHairThereNeeds()
+    {
+        QFETCH(int, mapSize);
+        Barber barber(mapSize);
+        const std::vector<SeenStrand> crossed = barber.view.crossing(std::array{kFrom, kTo}, false);
+        barber.cut(kFrom, kTo);
+        const float shortest = std::ranges::min_element(crossed, {}, &SeenStrand::fraction)->fraction;
+        int changed = 0;
+        for (int y = 0; y < mapSize; ++y)
+            for (int x = 0; x < mapSize; ++x) {
+                const auto was = static_cast<float>(barber.before->texel(x, y)[0]);
+                const auto is = static_cast<float>(barber.shown()->texel(x, y)[0]);
+                changed += is != was ? 1 : 0;
+                QVERIFY2(is > 0.45F * shortest * was && is < 1.2F * was, qPrintable(QString::number(double(is / was))));
+            }
+        QVERIFY(changed > 500);
+    }
+
     void tipColoursStayWhereTheyWereSeen()
     {
         constexpr float kTipFrom = 0.5F;

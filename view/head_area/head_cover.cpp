@@ -8,6 +8,9 @@
 #include "view/head_area/weather_overlay.h"
 #include "view/head_area/worn_drag.h"
 
+#include <QElapsedTimer>
+
+#include <algorithm>
 #include <utility>
 
 namespace hairpaint::view {
@@ -18,6 +21,8 @@ HeadCover::HeadCover(EditorState& editor, const HeadScene& scene, const Theme& t
       m_directions(editor, *m_overlay, [this] { return shown(); })
 {
     m_weather->hide();
+    m_strandsSoon.setSingleShot(true);
+    QObject::connect(&m_strandsSoon, &QTimer::timeout, m_overlay, [this] { refreshStrands(); });
     QObject::connect(&m_editor.tools(), &ToolBox::hairCutOff, &m_falling, &FallingHair::start);
     QObject::connect(&m_falling, &FallingHair::moved, m_overlay, [this] { m_overlay->setFalling(fallingHair()); });
 }
@@ -31,6 +36,7 @@ void HeadCover::setTheme(const Theme& theme)
 /// What lies over the picture moves with it, not with the camera or the hair, which may be pictures ahead.
 void HeadCover::follow(const Sight& sight)
 {
+    refreshStrandsSoon();
     if (std::exchange(m_shown, sight) == sight)
         return;
     refresh();
@@ -76,8 +82,21 @@ void HeadCover::refreshRing()
     refreshStrands();
 }
 
+/// Hair that moves leaves the strands that were found before.
+void HeadCover::refreshStrandsSoon()
+{
+    constexpr qint64 kLeastMs = 40;
+    constexpr qint64 kMostMs = 500;
+    constexpr qint64 kPartOfTime = 8;
+    const std::optional<HoverPoint>& hover = m_editor.hover().at();
+    if (hover && hover->hair && !m_strandsSoon.isActive())
+        m_strandsSoon.start(static_cast<int>(std::clamp(m_strandsMs * kPartOfTime, kLeastMs, kMostMs)));
+}
+
 void HeadCover::refreshStrands()
 {
+    QElapsedTimer timer;
+    timer.start();
     const std::optional<HoverPoint>& hover = m_editor.hover().at();
     if (!hover || !hover->hair || !m_editor.tools().active().traits().hasRing)
         return m_overlay->setStrands({}, {});
@@ -85,6 +104,7 @@ void HeadCover::refreshStrands()
     const double radiusPx = 0.5 * m_editor.tools().settings().brushSizeM * hair.pxPerM;
     m_overlay->setStrands(m_scene.strandsUnder(hair),
                           {hair.position - QPointF(radiusPx, radiusPx), QSizeF(2.0 * radiusPx, 2.0 * radiusPx)});
+    m_strandsMs = timer.elapsed();
 }
 
 void HeadCover::showSigns(bool paused, bool refining, std::size_t triangles)

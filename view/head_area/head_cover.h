@@ -6,6 +6,8 @@
 #include "view/head_area/shown_directions.h"
 #include "view/look/theme.h"
 
+#include <QTimer>
+
 #include <optional>
 
 class QWidget;
@@ -42,6 +44,7 @@ private:
     [[nodiscard]] std::vector<FallingLine> fallingHair() const; ///< As it is seen at the moment.
     [[nodiscard]] Sight shown() const;
     void refreshStrands();
+    void refreshStrandsSoon(); ///< However fast pictures follow each other, only a part of the time goes there.
 
     EditorState& m_editor;
     const HeadScene& m_scene;
@@ -52,6 +55,8 @@ private:
     ShownDirections m_directions;
     FallingHair m_falling;
     std::optional<Sight> m_shown; ///< None before the first picture.
+    QTimer m_strandsSoon;
+    qint64 m_strandsMs = 0; ///< What finding the strands took last.
 };
 
 } // namespace hairpaint::view
