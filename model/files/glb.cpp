@@ -281,6 +281,7 @@ UvTiles tilesFromGlb(const QByteArray& glb)
     std::vector<int> numbers;
     if (told.size() > static_cast<qsizetype>(MeshPart::kMost))
         return {};
+    numbers.reserve(static_cast<std::size_t>(told.size()));
     for (const auto& number : told) {
         numbers.push_back(number.toInt());
         if (numbers.back() < kFirstUdim || numbers.back() > kLastUdim)

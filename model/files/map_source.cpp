@@ -76,7 +76,8 @@ sim::TiledRaster joined(const std::vector<const sim::TiledRaster*>& cells, const
     const auto readRow = [&](int y, std::span<sim::Texel> texels) {
         const InCell& row = columns[static_cast<std::size_t>(y)];
         for (std::size_t x = 0; x < texels.size(); ++x) {
-            const auto cell = static_cast<std::size_t>((across - 1 - row.cell) * across + columns[x].cell);
+            const auto cell = static_cast<std::size_t>(across - 1 - row.cell) * static_cast<std::size_t>(across) +
+                              static_cast<std::size_t>(columns[x].cell);
             const sim::TiledRaster* own = cell < cells.size() ? cells[cell] : nullptr;
             texels[x] = own != nullptr ? own->texel(columns[x].texel, row.texel) : empty;
         }

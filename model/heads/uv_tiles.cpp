@@ -4,7 +4,6 @@
 #include "sim/base/tiled_raster.h"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 namespace hairpaint::model {
@@ -14,7 +13,10 @@ namespace {
 /// How many times a tile's image a map is: a power of two, as the sides of maps are.
 int timesOf(int across)
 {
-    return static_cast<int>(std::bit_floor(static_cast<unsigned>(across)));
+    int times = 1;
+    while (2 * times <= across)
+        times *= 2;
+    return times;
 }
 
 } // namespace

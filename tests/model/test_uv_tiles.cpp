@@ -5,6 +5,7 @@
 #include "model/files/map_source.h"
 #include "model/files/tile_names.h"
 #include "model/heads/part_choice.h"
+#include "tests/model/sample_project.h"
 #include "tests/support/character.h"
 #include "tests/support/glb_json.h"
 #include "tests/support/test_program.h"
@@ -21,6 +22,7 @@ namespace {
 UvTiles tilesUpTo(int count)
 {
     std::vector<int> numbers;
+    numbers.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
         numbers.push_back(kFirstUdim + 10 * (i / 3) + i % 3);
     return UvTiles(std::move(numbers));
