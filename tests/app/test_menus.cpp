@@ -111,6 +111,19 @@ private Q_SLOTS:
         QCOMPARE(m_window->session().document().undoStack().count(), steps);
     }
 
+    void tiesComeBeforeCollidersInTheMenu()
+    {
+        QAction* ponytail = m_window->actions().find(QLatin1StringView("hair.addPonytail"));
+        QVERIFY(ponytail);
+        const QList<QMenu*> menus = m_window->findChildren<QMenu*>();
+        const auto menu =
+            std::ranges::find_if(menus, [&](const QMenu* one) { return one->actions().contains(ponytail); });
+        QVERIFY(menu != menus.end());
+        const QList<QAction*> offered = (*menu)->actions();
+        QCOMPARE(offered.front(), ponytail);
+        QCOMPARE(offered.back(), m_window->actions().find(QLatin1StringView("hair.addCollider")));
+    }
+
     void whatIsWornIsAddedAndRemoved_data()
     {
         QTest::addColumn<model::WornKind>("kind");

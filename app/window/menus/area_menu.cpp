@@ -1,7 +1,7 @@
 // The areas' context menu: see the header.
 #include "app/window/menus/area_menu.h"
 
-#include "model/project/worn.h"
+#include "app/window/menus/worn_order.h"
 
 namespace hairpaint::app {
 
@@ -22,9 +22,13 @@ AreaMenu::AreaMenu(const ActionSet& actions, QWidget* parent) : QMenu(parent)
     }
     QMenu* worn = addMenu(tr("Tie and put on"));
     worn->setToolTipsVisible(true);
-    for (const model::WornSpec& spec : model::wornSpecs()) {
-        worn->addAction(actions.find(QLatin1StringView(QByteArray("hair.add") + spec.action)));
-        if (spec.kind == model::WornKind::Ponytail)
+    for (const model::WornSpec* spec : wornInMenus()) {
+        if (spec == nullptr) {
+            worn->addSeparator();
+            continue;
+        }
+        worn->addAction(actions.find(QLatin1StringView(QByteArray("hair.add") + spec->action)));
+        if (spec->kind == model::WornKind::Ponytail)
             worn->addAction(actions.find(QLatin1StringView("hair.addTwinTails")));
     }
     addAction(actions.find(QLatin1StringView("hair.removeWorn")));

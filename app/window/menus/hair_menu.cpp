@@ -1,6 +1,7 @@
 // The Hair menu: see the header.
 #include "app/window/menus/hair_menu.h"
 
+#include "app/window/menus/worn_order.h"
 #include "model/document/scene_commands.h"
 
 namespace hairpaint::app {
@@ -119,7 +120,12 @@ void HairMenu::addWorn(ActionSet& actions, Session& session, view::HeadView& hea
 {
     QMenu* menu = addMenu(tr("&Tie and put on"));
     menu->setToolTipsVisible(true);
-    for (const model::WornSpec& spec : model::wornSpecs()) {
+    for (const model::WornSpec* offered : wornInMenus()) {
+        if (offered == nullptr) {
+            menu->addSeparator();
+            continue;
+        }
+        const model::WornSpec& spec = *offered; // A row of a table that lasts.
         const QByteArray id = QByteArray("hair.add") + spec.action;
         actions.add(*menu, {{.id = id,
                              .text = model::wornText(spec.addTitle),
