@@ -1437,16 +1437,16 @@
         <translation>varios despliegues de la cabeza están en su mosaico %1, así que las imágenes por mosaico no se pueden distinguir; pinta en una imagen de todo el mapa</translation>
     </message>
     <message>
-        <source>none of its tiles is one of the head&apos;s, as %1 is</source>
-        <translation>ninguno de sus mosaicos es de la cabeza, como lo es %1</translation>
+        <source>none of its tiles is one of the head&apos;s, as %1 is; number its images by the head&apos;s tiles</source>
+        <translation>ninguno de sus mosaicos es de la cabeza, como lo es %1; numere sus imágenes según los mosaicos de la cabeza</translation>
     </message>
     <message>
         <source>tiles that the head has not are left out: %1</source>
         <translation>se dejan fuera los mosaicos que la cabeza no tiene: %1</translation>
     </message>
     <message>
-        <source>no file of that name has a tile&apos;s number instead of &lt;UDIM&gt;, as &apos;%1&apos; would</source>
-        <translation>ningún archivo de ese nombre tiene el número de un mosaico en lugar de &lt;UDIM&gt;, como lo tendría «%1»</translation>
+        <source>no file of that name has a tile&apos;s number instead of &lt;UDIM&gt;, as &apos;%1&apos; would; name one image for each tile so</source>
+        <translation>ningún archivo de ese nombre tiene el número de un mosaico en lugar de &lt;UDIM&gt;, como lo tendría «%1»; dé un nombre así a la imagen de cada mosaico</translation>
     </message>
     <message>
         <source>its hair is in other files, which are no USD text beside it: %1; export it flattened into one</source>

@@ -42,10 +42,13 @@ Result<MapSource> tilesFrom(ImporterClient& client, const QString& path, const M
         source.cells.push_back(*cell);
     }
     if (source.images.empty())
-        return cannotOpen(path, {.text = say(QT_TRANSLATE_NOOP("Files", "none of its tiles is one of the head's, as %1 "
-                                                                        "is"))
-                                             .arg(tiles.numbers().front()),
-                                 .cure = Clause::Cure::OtherFile});
+        return cannotOpen(
+            path,
+            {.text = say(QT_TRANSLATE_NOOP(
+                             "Files",
+                             "none of its tiles is one of the head's, as %1 is; number its images by the head's tiles"))
+                         .arg(tiles.numbers().front()),
+             .cure = Clause::Cure::OtherFile});
     return source;
 }
 

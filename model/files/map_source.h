@@ -32,7 +32,7 @@ struct MapSource
                                                std::vector<int>* leftOut = nullptr);
 /// The part of a map's image that a cell shows, as large as imageSideFor() has it.
 [[nodiscard]] ForeignImage imageOfCell(const ForeignImage& map, const UvTiles& tiles, std::size_t cell);
-/// "1005, 1006: tiles that the head has not, left out" as a clause after a file's name; empty where there are none.
+/// "tiles that the head has not are left out: 1005, 1006" as a clause after a file's name; empty where there are none.
 [[nodiscard]] QString leftOutTiles(const std::vector<int>& numbers);
 
 } // namespace hairpaint::model

@@ -89,7 +89,7 @@ Checked<std::vector<TileFile>> tileFilesOf(const QString& pattern)
     }
     if (files.empty())
         return refuse(say(QT_TRANSLATE_NOOP("Files", "no file of that name has a tile's number instead of <UDIM>, as "
-                                                     "'%1' would"))
+                                                     "'%1' would; name one image for each tile so"))
                           .arg(before + QString::number(kFirstUdim) + after),
                       Clause::Cure::OtherFile);
     return files;

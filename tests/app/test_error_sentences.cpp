@@ -104,6 +104,8 @@ const Exceptions& otherClauses()
     static const Exceptions exceptions = {
         {QStringLiteral("an earlier part of it could not be written"),
          QStringLiteral("of the journal, beside which the window says to save now and then")},
+        {QStringLiteral("tiles that the head has not are left out: %1"),
+         QStringLiteral("a remark on maps that came in")},
         {QStringLiteral("its uv tiles lie side by side on the maps: 1001, %1"),
          QStringLiteral("a remark on a head that came in")},
         {QStringLiteral("without uv coordinates, so no hair grows there: %1"),

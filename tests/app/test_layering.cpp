@@ -60,7 +60,7 @@ constexpr Room kRooms[] = {
     {"model", "tools", "values project maps document"},
     {"model", "handles", "values project maps styles document tools"},
     {"model", "files", "values project disk maps heads styles"},
-    {"model", "growth", "values project heads styles files"},
+    {"model", "growth", "values project maps heads styles files"},
     {"model", "journal", "values project disk document files"},
     {"model", "repair", "values project files"},
     {"model", "exporting", "values project disk heads files"},
