@@ -12,6 +12,18 @@ namespace hairpaint::app {
 class TestWindowStrands : public QObject, private LongHairFixture
 {
     Q_OBJECT
+private:
+    /// Overlay of the strands that are meant by a brush of colour over hanging hair.
+    [[nodiscard]] const view::HeadOverlay* restOnLongHair()
+    {
+        openWithLongHair();
+        editor().target().setMap(MapKind::Colour);
+        setTools(model::ToolId::Brush, TouchKind::Seen);
+        QTest::mouseMove(m_head, m_at + QPoint(0, 1));
+        QTest::mouseMove(m_head, m_at);
+        return m_window->headView().findChild<view::HeadOverlay*>();
+    }
+
 private Q_SLOTS:
     void initTestCase() { prepareApplication(); }
     void cleanup() { m_window.reset(); }
@@ -239,12 +251,7 @@ private Q_SLOTS:
 
     void theStrandsThatAreMeantAreShown()
     {
-        openWithLongHair();
-        editor().target().setMap(MapKind::Colour);
-        setTools(model::ToolId::Brush, TouchKind::Seen);
-        auto* overlay = m_window->headView().findChild<view::HeadOverlay*>();
-        QTest::mouseMove(m_head, m_at + QPoint(0, 1));
-        QTest::mouseMove(m_head, m_at);
+        const view::HeadOverlay* overlay = restOnLongHair();
         QVERIFY(!overlay->strands().empty());
         QVERIFY(editor().hover().ringPoints().empty());
         key(Qt::Key_T);
@@ -259,12 +266,7 @@ private Q_SLOTS:
 
     void theStrandsThatAreMeantFollowTheViewUnderAPointerThatRests()
     {
-        openWithLongHair();
-        editor().target().setMap(MapKind::Colour);
-        setTools(model::ToolId::Brush, TouchKind::Seen);
-        const auto* overlay = m_window->headView().findChild<view::HeadOverlay*>();
-        QTest::mouseMove(m_head, m_at + QPoint(0, 1));
-        QTest::mouseMove(m_head, m_at);
+        const view::HeadOverlay* overlay = restOnLongHair();
         const std::vector<QPolygonF> before = overlay->strands();
         QVERIFY(!before.empty());
         QWheelEvent wheel(m_at, m_head->mapToGlobal(m_at), {}, QPoint(0, 360), Qt::NoButton, Qt::NoModifier,
@@ -275,12 +277,7 @@ private Q_SLOTS:
 
     void theStrandsThatAreMeantMoveWithTheHairUnderAPointerThatRests()
     {
-        openWithLongHair();
-        editor().target().setMap(MapKind::Colour);
-        setTools(model::ToolId::Brush, TouchKind::Seen);
-        const auto* overlay = m_window->headView().findChild<view::HeadOverlay*>();
-        QTest::mouseMove(m_head, m_at + QPoint(0, 1));
-        QTest::mouseMove(m_head, m_at);
+        const view::HeadOverlay* overlay = restOnLongHair();
         const std::vector<QPolygonF> before = overlay->strands();
         QVERIFY(!before.empty());
         session().document().push(
