@@ -348,9 +348,11 @@ std::shared_ptr<StrandChunk> emptyChunk(int nodes, bool hasLocks)
     return chunk;
 }
 
-void findLeastDetails(StrandChunk& chunk)
+void findLeastDetails(StrandChunk& chunk, const std::bitset<kBlocksPerChunk>& blocks)
 {
     for (std::size_t block = 0; block < kBlocksPerChunk; ++block) {
+        if (!blocks[block])
+            continue;
         const auto styles = std::span(chunk.styles).subspan(block * kLanes, kLanes);
         chunk.leastDetail[block] = std::ranges::min_element(styles, {}, &StrandStyle::detail)->detail;
     }
@@ -404,20 +406,25 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
     const std::shared_ptr<StrandChunk> chunk =
         kept.any() ? std::make_shared<StrandChunk>(*before)
                    : emptyChunk(inputs.settings.nodesPerHair, !inputs.locks.isOfBasis());
+    std::bitset<kBlocksPerChunk> touched;
+    if (kept.none())
+        touched.set();
     ChunkWriter writer(inputs, chunkIndex, *chunk, passed);
     dirty.look.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
+        touched.set((slot - firstSlot) / kLanes);
         if (chunk->hairs[slot - firstSlot] && !dirty.hairs.contains(slot))
             writer.look(slot);
     });
     dirty.hairs.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
         const std::size_t local = slot - firstSlot;
+        touched.set(local / kLanes);
         if (hairs[local])
             writer.write(slot, densities[local]);
         else if (chunk->hairs[local])
             writer.clear(slot);
     });
     writer.finishAll();
-    findLeastDetails(*chunk);
+    findLeastDetails(*chunk, touched);
     if (chunk->gathered.none())
         chunk->followed.clear();
     if (std::ranges::all_of(chunk->cornrows, [](const CornrowHair& hair) { return hair == CornrowHair{}; }))
