@@ -159,10 +159,9 @@ int runEditor(int argc, char** argv)
         hairpaint::app::printError(CommandLine::tr("This system has no font, so no text can be read; install one, for "
                                                    "example Debian's package fonts-inter."));
 
-    QString path;
     hairpaint::model::Project project = hairpaint::app::starterProject();
     const QStringList arguments = QApplication::arguments();
-    hairpaint::app::MainWindow window(std::move(project), path, std::move(settings));
+    hairpaint::app::MainWindow window(std::move(project), std::move(settings));
     logFirstHair(window, sinceStart);
     window.show();
     const hairpaint::app::Termination termination;

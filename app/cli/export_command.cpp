@@ -8,11 +8,11 @@
 #include "app/headless/settled_hair.h"
 #include "model/disk/staged_files.h"
 #include "model/document/document.h"
-#include "model/exporting/export_format.h"
 #include "model/exporting/map_images.h"
 #include "model/exporting/uv_sheet.h"
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
+#include "model/formats/export_format.h"
 #include "model/values/sentences.h"
 
 #include <QDir>

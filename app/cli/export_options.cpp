@@ -2,7 +2,7 @@
 #include "app/cli/export_options.h"
 
 #include "app/cli/verb_options.h"
-#include "model/exporting/export_format.h"
+#include "model/formats/export_format.h"
 
 #include <algorithm>
 

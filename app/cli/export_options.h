@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/command.h"
-#include "model/exporting/export_request.h"
+#include "model/formats/export_request.h"
 
 namespace hairpaint::app {
 

@@ -2,8 +2,8 @@
 #include "app/cli/verb_options.h"
 
 #include "app/cli/export_options.h"
-#include "model/exporting/export_format.h"
 #include "model/exporting/map_images.h"
+#include "model/formats/export_format.h"
 #include "model/importing/curve_reader.h"
 #include "model/project/light_settings.h"
 #include "model/project/skin_tone.h"

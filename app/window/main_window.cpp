@@ -63,7 +63,7 @@ ProjectFiles::Picture thumbnailOf(rendering::Scene scene)
 
 } // namespace
 
-MainWindow::MainWindow(model::Project project, const QString& path, std::unique_ptr<Settings> settings)
+MainWindow::MainWindow(model::Project project, std::unique_ptr<Settings> settings)
     : m_ownSettings(std::move(settings)), m_settings(*m_ownSettings), m_session(std::move(project)), m_jobs(*this),
       m_freedMemory(m_session.document(), m_jobs), m_files(m_session, m_settings, m_jobs, *this),
       m_journal(m_session.document(), JournalFolder::root()), m_exchange(m_session, m_settings, m_jobs, *this),
@@ -96,7 +96,7 @@ MainWindow::MainWindow(model::Project project, const QString& path, std::unique_
     connect(&m_workspace->styleStrip(), &view::StyleStrip::asking, m_workspace,
             [this] { m_workspace->setPanelsHidden(false); });
     styles->refresh();
-    m_files.setPath(path);
+    m_files.setPath({});
     m_session.document().resolveIn(resolvedByJobs(m_jobs, &m_session));
     recallToolOptions(m_settings, m_session.editor());
     m_session.editor().options().setNightPaper(!m_preferences.current().whitePaper);

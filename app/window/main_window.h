@@ -35,9 +35,8 @@ class MainWindow : public QMainWindow
 {
     Q_OBJECT
 public:
-    /// `project`: what it opens with; `path`: where that came from, empty for a new one.
-    MainWindow(model::Project project, const QString& path,
-               std::unique_ptr<Settings> settings = std::make_unique<Settings>());
+    /// `project`: what it opens with, a new one; files are opened afterwards.
+    explicit MainWindow(model::Project project, std::unique_ptr<Settings> settings = std::make_unique<Settings>());
     ~MainWindow() override;
 
     [[nodiscard]] Session& session() { return m_session; }

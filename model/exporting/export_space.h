@@ -1,7 +1,7 @@
 // Units and axes of what is exported.
 #pragma once
 
-#include "model/exporting/cards/card_settings.h"
+#include "model/exporting/card_settings.h"
 
 #include "model/project/head_part.h"
 #include "model/project/worn.h"

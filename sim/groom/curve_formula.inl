@@ -1,6 +1,6 @@
 // The drawn curve of one strand along its skeleton: Catmull-Rom, the rotation-minimising frame (double reflection, Wang
 // et al. 2008), equation 1 (curl) and equation 3 (braid) of Hernandez and Rudomin 2004. One text for strand_curve.cpp
-// (a strand of floats), view/rendering/light/curve_inl.h (as many strands as there are lanes) and the shader
+// (a strand of floats), view/rendering/software/curve_inl.h (as many strands as there are lanes) and the shader
 // strand_expand.comp: read as C++ and as GLSL, so without references and templates.
 //
 // Whoever includes it has defined the types Num, Vec3 and Flag (yes or no), CURVE_FUNCTION before each function, the

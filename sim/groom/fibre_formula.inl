@@ -1,5 +1,5 @@
 // A fibre that is not round: its section is an ellipse of the area that the round one has, and turns along the fibre.
-// One text for view/rendering/light/curve_inl.h (as many strands as there are lanes) and the shader strand_shade.comp,
+// One text for view/rendering/software/curve_inl.h (as many strands as there are lanes) and the shader strand_shade.comp,
 // with the names that curve_formula.inl asks for.
 
 const float kSectionTwistsPerM = 5.0F; // Of a straight fibre.

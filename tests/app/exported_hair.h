@@ -4,8 +4,8 @@
 
 #include "app/headless/settled_hair.h"
 #include "app/styles/library.h"
-#include "model/exporting/export_format.h"
 #include "model/files/project_file.h"
+#include "model/formats/export_format.h"
 #include "model/styles/preset.h"
 #include "model/styles/style_use.h"
 #include "tests/app/program.h"

@@ -1,7 +1,7 @@
 // Hair exported from the command line: every format, one group or all, for a program.
 #include "model/document/group_commands.h"
-#include "model/exporting/export_format.h"
 #include "model/files/project_file.h"
+#include "model/formats/export_format.h"
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"
 #include "tests/support/test_program.h"

@@ -65,7 +65,7 @@ private Q_SLOTS:
         QStandardPaths::setTestModeEnabled(true);
         SettingsStore().clear();
         view::initResources();
-        m_window = std::make_unique<MainWindow>(model::newProject(), QString());
+        m_window = std::make_unique<MainWindow>(model::newProject());
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         const auto* strip = m_window->findChild<view::StyleStrip*>();

@@ -40,7 +40,7 @@ private Q_SLOTS:
         QStandardPaths::setTestModeEnabled(true);
         SettingsStore().clear();
         view::initResources();
-        m_window = std::make_unique<MainWindow>(model::newProject(), QString());
+        m_window = std::make_unique<MainWindow>(model::newProject());
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
     }
@@ -373,7 +373,7 @@ private Q_SLOTS:
     {
         model::Project project = starterProject();
         project.maxHairs = 2000;
-        MainWindow window(std::move(project), QString());
+        MainWindow window(std::move(project));
         window.show();
         const QList<QLabel*> labels = window.findChild<view::StatusReadout*>()->findChildren<QLabel*>();
         QTRY_VERIFY_WITH_TIMEOUT(std::ranges::any_of(labels,

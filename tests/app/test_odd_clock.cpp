@@ -88,7 +88,7 @@ private Q_SLOTS:
             const QString lock = JournalFolder::root() + QLatin1Char('/') + name + QStringLiteral("/lock");
             QVERIFY(setTime(lock, now - 30 * kYearMs));
         }
-        const auto other = std::make_unique<MainWindow>(model::newProject(), QString());
+        const auto other = std::make_unique<MainWindow>(model::newProject());
         RecoveryAnswer answer(QStringLiteral("Not now"));
         other->offerUnsavedWork();
         QCOMPARE(answer.offered.size(), static_cast<qsizetype>(times.size()));

@@ -111,7 +111,7 @@ private Q_SLOTS:
         BoxAnswer answer(QStringLiteral("Open anyway"));
         QVERIFY(m_window->files().openPath(m_path));
         QCOMPARE(answer.asked, QStringList());
-        const auto other = std::make_unique<MainWindow>(test::smallProject(), QString());
+        const auto other = std::make_unique<MainWindow>(test::smallProject());
         QVERIFY(other->files().openPath(m_path));
         QCOMPARE(answer.asked.size(), 1); // This one is.
     }
@@ -232,7 +232,7 @@ private Q_SLOTS:
     void anotherWindowThatOpensItIsTold()
     {
         openSaved();
-        MainWindow other(test::smallProject(), QString());
+        MainWindow other(test::smallProject());
         {
             BoxAnswer stop(QStringLiteral("Cancel"));
             QVERIFY(!other.files().openPath(m_path));
@@ -249,7 +249,7 @@ private Q_SLOTS:
         QVERIFY(m_window->files().openPath(m_path));
         QCOMPARE(answer.asked, QStringList());
         m_window.reset();
-        MainWindow third(test::smallProject(), QString());
+        MainWindow third(test::smallProject());
         QVERIFY(third.files().openPath(m_path));
         QCOMPARE(answer.asked, QStringList());
     }

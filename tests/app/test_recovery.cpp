@@ -216,7 +216,7 @@ private Q_SLOTS:
     {
         openBald();
         stroke(0.5F);
-        auto other = std::make_unique<MainWindow>(test::smallProject(), QString());
+        auto other = std::make_unique<MainWindow>(test::smallProject());
         QTRY_COMPARE_WITH_TIMEOUT(foldersLeft(), 1, kPatienceMs);
         other->offerUnsavedWork(); // Would wait for an answer.
         QCOMPARE(foldersLeft(), 1);

@@ -58,7 +58,7 @@ private Q_SLOTS:
             QCOMPARE(stack().index(), 2);
             QVERIFY(says(QStringLiteral("no safety copy")));
             QCOMPARE(foldersLeft(), 1); // It is nowhere else.
-            const auto other = std::make_unique<MainWindow>(test::smallProject(), QString());
+            const auto other = std::make_unique<MainWindow>(test::smallProject());
             other->offerUnsavedWork(); // Would wait for an answer: but this window has it.
         }
         stroke(0.7F);

@@ -126,7 +126,7 @@ private:
 
     void openWindow()
     {
-        m_window = std::make_unique<MainWindow>(starterProject(), QString());
+        m_window = std::make_unique<MainWindow>(starterProject());
         m_window->resize(1280, 800);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));

@@ -1,8 +1,8 @@
 // Folders that can't be written, full disks, and outputs that are inputs: one line on standard error names the file,
 // the code is 1, nothing is written, and what was there stays.
 #include "app/headless/picture.h"
-#include "model/exporting/export_format.h"
 #include "model/files/project_file.h"
+#include "model/formats/export_format.h"
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"
 #include "tests/model/archive_maker.h"

@@ -41,7 +41,7 @@ private:
 
     void openWindow(QSize size)
     {
-        m_window = std::make_unique<MainWindow>(starterProject(), QString());
+        m_window = std::make_unique<MainWindow>(starterProject());
         m_window->resize(size);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));

@@ -61,7 +61,7 @@ private Q_SLOTS:
         view::Preferences preferences;
         preferences.theme = light ? view::ThemeKind::Light : view::ThemeKind::Dark;
         Settings().setPreferences(preferences);
-        MainWindow window(test::thinned(starterProject()), QString());
+        MainWindow window(test::thinned(starterProject()));
         window.resize(size);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));

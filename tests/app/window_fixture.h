@@ -72,7 +72,7 @@ protected:
 
     void openWholeWindow(model::Project project)
     {
-        m_window = std::make_unique<MainWindow>(std::move(project), QString());
+        m_window = std::make_unique<MainWindow>(std::move(project));
         m_window->resize(1280, 800);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));

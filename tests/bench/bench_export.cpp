@@ -2,7 +2,7 @@
 // disk; the rows stand as in model::exportFormats().
 #include "bench_scene.h"
 
-#include "model/exporting/export_format.h"
+#include "model/formats/export_format.h"
 #include "sim/motion/simulation.h"
 #include "tests/model/exported_hair.h"
 

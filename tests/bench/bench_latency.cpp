@@ -159,7 +159,7 @@ void duringHeadImports(benchmark::State& state)
 {
     application();
     view::initResources();
-    app::MainWindow window(app::starterProject(), QString());
+    app::MainWindow window(app::starterProject());
     window.resize(1280, 800);
     window.show();
     app::Jobs jobs(window);
@@ -187,7 +187,7 @@ std::unique_ptr<app::MainWindow> openWindow()
 {
     application();
     view::initResources();
-    auto window = std::make_unique<app::MainWindow>(app::starterProject(), QString());
+    auto window = std::make_unique<app::MainWindow>(app::starterProject());
     window->resize(1280, 800);
     window->show();
     return window;
@@ -261,7 +261,7 @@ void duringOpacityTicks(benchmark::State& state)
         colour.layers.push_back(std::move(layer));
     }
     const model::Id layer = colour.layers.back().id;
-    app::MainWindow window(std::move(project), QString());
+    app::MainWindow window(std::move(project));
     window.resize(1280, 800);
     window.show();
     window.session().editor().target().setMap(model::MapKind::Colour);
@@ -293,7 +293,7 @@ void duringStrokes(benchmark::State& state)
     view::initResources();
     model::Project project = app::starterProject();
     project.wind = {.enabled = true, .velocity = {3.0F, 0.0F, 1.0F}, .gustiness = 0.5F, .turbulence = 0.3F};
-    app::MainWindow window(std::move(project), QString());
+    app::MainWindow window(std::move(project));
     window.resize(1440, 900);
     window.show();
     view::EditorState& editor = window.session().editor();

@@ -1,7 +1,7 @@
 // Hair on a ball, and its export.
 #pragma once
 
-#include "model/exporting/export_format.h"
+#include "model/formats/export_format.h"
 #include "sim/motion/simulation.h"
 #include "tests/support/mannequin.h"
 

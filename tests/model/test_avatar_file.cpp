@@ -1,5 +1,5 @@
 // Hair with a whole body, as VRM 1.0.
-#include "model/exporting/cards/avatar_body.h"
+#include "model/cards/avatar_body.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/exported_hair.h"
 #include "tests/support/glb_json.h"

@@ -1,5 +1,5 @@
 // Hair in every format, read by the formats' own definitions.
-#include "model/exporting/export_format.h"
+#include "model/formats/export_format.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/exported_hair.h"
 #include "tests/model/sample_project.h"

@@ -1,6 +1,6 @@
 // Hair as cards: locks, strips, the atlas and what is drawn into it.
-#include "model/exporting/cards/alpha_coverage.h"
-#include "model/exporting/cards/card_mesh.h"
+#include "model/cards/alpha_coverage.h"
+#include "model/cards/card_mesh.h"
 #include "sim/skin/skin.h"
 #include "tests/model/exported_hair.h"
 #include "tests/support/test_program.h"

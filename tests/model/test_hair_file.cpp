@@ -1,5 +1,5 @@
 // Hair written as `.hair` is the hair that is drawn.
-#include "model/exporting/export_format.h"
+#include "model/formats/export_format.h"
 #include "sim/groom/strand_curve.h"
 #include "sim/motion/simulation.h"
 #include "tests/model/archive_maker.h"

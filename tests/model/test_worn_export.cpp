@@ -1,5 +1,5 @@
 // What is worn leaves with the hair.
-#include "model/exporting/export_format.h"
+#include "model/formats/export_format.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/exported_hair.h"
 #include "tests/support/glb_json.h"

@@ -1,7 +1,7 @@
 // Asks which hair is exported, in which format, and for which program.
 #pragma once
 
-#include "model/exporting/export_format.h"
+#include "model/formats/export_format.h"
 
 #include <QDialog>
 #include <QSet>

@@ -1,7 +1,7 @@
 // The fields of the export options: one for each row of the table of formats.
 #pragma once
 
-#include "model/exporting/export_format.h"
+#include "model/formats/export_format.h"
 
 #include <functional>
 #include <vector>

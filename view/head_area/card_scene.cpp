@@ -1,7 +1,7 @@
 // Hair cards for the renderer: see the header.
 #include "view/head_area/card_scene.h"
 
-#include "model/exporting/cards/card_mesh.h"
+#include "model/cards/card_mesh.h"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 // Hair cards for the renderer.
 #pragma once
 
-#include "model/exporting/cards/hair_cards.h"
+#include "model/cards/hair_cards.h"
 #include "sim/groom/group_settings.h"
 #include "sim/motion/head_motion.h"
 #include "view/rendering/card_set.h"

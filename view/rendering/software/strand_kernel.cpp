@@ -7,10 +7,10 @@
 #define HWY_TARGET_INCLUDE "view/rendering/software/strand_kernel.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.
-#include "view/rendering/light/curve_inl.h"
 #include "view/rendering/light/hair_light_inl.h"
 #include "view/rendering/light/lanes_inl.h"
 #include "view/rendering/light/tone_inl.h"
+#include "view/rendering/software/curve_inl.h"
 #include "view/rendering/software/grid_lookup_inl.h"
 #include <algorithm>
 #include <hwy/highway.h>

@@ -1,0 +1,37 @@
+// The joints of cards, and how they swing, as JSON of a glTF.
+#pragma once
+
+#include "model/cards/card_bones.h"
+#include "model/exporting/curve_set.h"
+#include "sim/skin/ellipsoid.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+
+#include <span>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// The joint that all chains hang from.
+struct BoneRoot
+{
+    int node = 0; ///< Index of its node.
+    JointPose pose;
+};
+
+struct BoneGlb
+{
+    QJsonArray nodes;  ///< Each chain's joints; the first has the number `firstNode`.
+    QJsonArray below;  ///< Those of them that are the root's children.
+    QJsonArray joints; ///< Numbers: the root, then these.
+    std::vector<glm::mat4> inverseBind;
+    QJsonObject springBone; ///< VRMC_springBone.
+};
+
+/// Joints of the chains; `chains` where they stand in the file. `colliders`: Hd; `head`: where that is in the file.
+[[nodiscard]] BoneGlb boneGlb(const CurveSet& curves, const std::vector<BoneChain>& chains,
+                              std::span<const sim::Ellipsoid> colliders, const JointPose& head, const BoneRoot& root,
+                              int firstNode);
+
+} // namespace hairpaint::model

@@ -1,0 +1,91 @@
+// Large locks, and which of them each strip's hairs belong to.
+#include "model/cards/card_bones.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr int kTriangles = 240; ///< That strips along the large locks would have: makes some two dozen of them.
+
+BoneChain chainAlong(const HairLock& lock, std::size_t group)
+{
+    BoneChain chain{.jointsWo = {}, .group = group};
+    for (std::size_t j = 0; j < BoneChain::kJoints; ++j)
+        chain.jointsWo.at(j) = lock.meanWo.at(j * (SampledHair::kSamples - 1) / (BoneChain::kJoints - 1));
+    return chain;
+}
+
+/// How many joints of the chain lie before the point, with a fraction.
+float jointsBefore(const BoneChain& chain, const glm::vec3& positionWo)
+{
+    float least = 0.0F;
+    float found = 0.0F;
+    for (std::size_t j = 0; j + 1 < BoneChain::kJoints; ++j) {
+        const glm::vec3& from = chain.jointsWo.at(j);
+        const glm::vec3 along = chain.jointsWo.at(j + 1) - from;
+        const float square = glm::dot(along, along);
+        const float part = square > 0.0F ? glm::clamp(glm::dot(positionWo - from, along) / square, 0.0F, 1.0F) : 0.0F;
+        const float away = glm::distance(positionWo, from + part * along);
+        if (j == 0 || away < least) {
+            least = away;
+            found = static_cast<float>(j) + part;
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+std::size_t CardBones::chainFor(const CardStrip& strip) const
+{
+    std::vector<std::size_t> votes;
+    votes.reserve(strip.hairs.size());
+    for (const std::uint32_t i : strip.hairs)
+        votes.push_back(chainOfHair[i]);
+    const auto middle = votes.begin() + static_cast<std::ptrdiff_t>(votes.size() / 2);
+    std::ranges::nth_element(votes, middle); // The chain of the most, where most have one.
+    return *middle;
+}
+
+BoneWeights CardBones::weightsAt(std::size_t chain, const glm::vec3& positionWo) const
+{
+    const float before = jointsBefore(chains[chain], positionWo);
+    const auto whole = static_cast<std::size_t>(before);
+    const float part = before - static_cast<float>(whole);
+    // A joint turns what comes after it, wholly from the next joint on.
+    const auto jointAt = [&](std::size_t number) {
+        return static_cast<std::uint16_t>(number == 0 ? 0 : BoneChain::kJoints * chain + number);
+    };
+    const std::uint16_t next = part > 0.0F ? jointAt(whole + 1) : std::uint16_t{0};
+    return {.joints = {jointAt(whole), next, 0, 0}, .weights = {1.0F - part, part, 0.0F, 0.0F}};
+}
+
+std::vector<BoneChain> movedChains(std::vector<BoneChain> chains, const JointPose& frame)
+{
+    for (BoneChain& chain : chains)
+        for (glm::vec3& joint : chain.jointsWo)
+            joint = frame.position + frame.rotation * joint;
+    return chains;
+}
+
+CardBones bonesFor(const SampledHair& hair, std::vector<std::vector<std::uint32_t>> sets)
+{
+    constexpr auto kNone = static_cast<std::size_t>(-1);
+    std::vector<std::size_t> groupOf(hair.count(), kNone);
+    for (std::size_t group = 0; group < sets.size(); ++group)
+        for (const std::uint32_t i : sets[group])
+            groupOf[i] = group;
+    const std::vector<float> alike(hair.count(), 1.0F);
+    CardBones bones{.chains = {}, .chainOfHair = std::vector<std::size_t>(hair.count(), kNone)};
+    for (const HairLock& lock : dividedIntoLocks(hair, std::move(sets), alike, kTriangles)) {
+        for (const std::uint32_t i : lock.hairs)
+            bones.chainOfHair[i] = bones.chains.size();
+        bones.chains.push_back(chainAlong(lock, groupOf[lock.hairs.front()]));
+    }
+    return bones;
+}
+
+} // namespace hairpaint::model

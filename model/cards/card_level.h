@@ -1,0 +1,42 @@
+// The strips and caps of one level of detail.
+#pragma once
+
+#include "model/cards/card_strip.h"
+#include "model/cards/scalp_cap.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// Hairs of SampledHair, by group.
+using HairsByGroup = std::vector<std::vector<std::uint32_t>>;
+
+struct CardLevel
+{
+    std::vector<CardStrip>
+        strips; ///< Those of a group together; in a group from the skin to the surface, flyaways last.
+    std::vector<std::size_t> groups;           ///< By strip: index into CurveSet::groups().
+    std::vector<std::size_t> patchOf;          ///< By strip: index into HairCards::patches.
+    std::vector<std::size_t> chainOf;          ///< By strip: index into CardBones::chains, where there are bones.
+    std::vector<std::optional<ScalpCap>> caps; ///< By group.
+    [[nodiscard]] int triangles() const;
+};
+
+/// How much each hair matters to the onlooker, above 0.
+[[nodiscard]] std::vector<float> hairWeights(const SampledHair& hair, const HairField& field);
+
+/// Of at most `triangles`. Hair that is too short for strips lies on caps, and leaves `byGroup`. Each strip has a patch
+/// of its own, numbered as they are. Runs on several threads.
+[[nodiscard]] CardLevel finestLevel(const CurveSet& set, const SampledHair& hair, const HairField& field,
+                                    std::span<const float> weights, HairsByGroup& byGroup, int triangles);
+
+/// The same of fewer triangles: fewer and wider strips, and some of the flyaways. Each shows the patch of that strip of
+/// the finest level that has most of its hairs. `byGroup`: as the finest level has left it.
+[[nodiscard]] CardLevel coarserLevel(const CurveSet& set, const SampledHair& hair, const HairField& field,
+                                     std::span<const float> weights, const HairsByGroup& byGroup,
+                                     const CardLevel& finest, int triangles);
+
+} // namespace hairpaint::model

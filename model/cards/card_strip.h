@@ -1,0 +1,59 @@
+// The strip of quads that stands for a lock of hair.
+#pragma once
+
+#include "model/cards/hair_field.h"
+#include "model/cards/lock_tree.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// A cross-section of the strip. Side, normal and tangent (toward the tip) are unit and at right angles: seen from
+/// outside with the root up, the side points right.
+struct StripNode
+{
+    glm::vec3 middleWo{0.0F};
+    glm::vec3 sideWo{1.0F, 0.0F, 0.0F};
+    glm::vec3 normalWo{0.0F, 0.0F, 1.0F};
+    float halfWidthM = 0.0F;
+    float alongM = 0.0F; ///< From the first node.
+};
+
+struct CardStrip
+{
+    std::vector<StripNode> nodes;     ///< 2 or more, root first.
+    std::vector<std::uint32_t> hairs; ///< Of SampledHair: what is drawn on it.
+    float openness = 0.0F;            ///< Mean of the field's, 0..1: how near it is to the hair's surface.
+    bool flyaway = false;
+    [[nodiscard]] float lengthM() const { return nodes.back().alongM; }
+    [[nodiscard]] float greatestWidthM() const;
+    [[nodiscard]] float areaM2() const;
+    [[nodiscard]] int triangles() const { return 2 * (static_cast<int>(nodes.size()) - 1); }
+};
+
+/// A point as the strip sees it.
+struct StripPoint
+{
+    float across = 0.0F;  ///< -1 at its left border, 1 at its right.
+    float alongM = 0.0F;  ///< From the first node.
+    float heightM = 0.0F; ///< Along its normal.
+};
+
+/// Where points of one curve, root first, lie on a strip: each is sought near the one before. One thread.
+class StripProjector
+{
+public:
+    explicit StripProjector(const CardStrip& strip) : m_strip(strip) {}
+    [[nodiscard]] StripPoint next(const glm::vec3& pointWo);
+
+private:
+    const CardStrip& m_strip;
+    std::size_t m_segment = 0;
+};
+
+/// It follows the lock's mean, from where nine of ten hairs have begun to where nine of ten have ended, is as wide as
+/// nine of ten of them need, faces away from hair and head, and turns no faster than that asks.
+[[nodiscard]] CardStrip stripOf(const SampledHair& hair, const HairLock& lock, const HairField& field);
+
+} // namespace hairpaint::model
