@@ -203,8 +203,8 @@
         <translation>una película en lugar de una imagen: FILE.0001.png y siguientes</translation>
     </message>
     <message>
-        <source>frames a second of a film; 30 unless given</source>
-        <translation>fotogramas por segundo de una película; 30 si no se da</translation>
+        <source>frames a second of a film; %1 unless given</source>
+        <translation>fotogramas por segundo de una película; %1 si no se da</translation>
     </message>
     <message>
         <source>There is not enough memory for what is wanted of &apos;%1&apos;; give a smaller size or fewer hairs.</source>

@@ -91,6 +91,13 @@ const Command* findCommand(const QString& name)
     return found == kCommands.end() ? nullptr : &*found;
 }
 
+CommandOption optionOf(const char* command, const QString& name)
+{
+    const std::vector<CommandOption> rows = findCommand(QLatin1StringView(command))->options();
+    return *std::ranges::find_if(rows,
+                                 [&name](const CommandOption& row) { return spellingOf(row).names.contains(name); });
+}
+
 QString usageOf(const Command& command)
 {
     QStringList words{QStringLiteral("hairpaint"), QString::fromLatin1(command.name)};

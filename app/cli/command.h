@@ -40,6 +40,13 @@ struct CommandOption
     QString meaning;  ///< In the system's language.
     Use use = Use::Optional;
     QString former = {}; ///< An earlier name that still works.
+    /// What a number may be, and what it is where it is not given.
+    struct Number
+    {
+        double least, greatest, standard;
+    };
+    std::optional<Number> number = {};
+    const char* useWith = ""; ///< The option without which this one is for nothing; empty where there is none.
 };
 
 /// One verb: "new", "info", "presets", "export", "render", "repair".
@@ -55,6 +62,8 @@ struct Command
 [[nodiscard]] std::span<const Command> commands();
 /// The verb of that name, or null.
 [[nodiscard]] const Command* findCommand(const QString& name);
+/// The row of that verb's option of that name, which is there.
+[[nodiscard]] CommandOption optionOf(const char* command, const QString& name);
 /// "hairpaint new -o FILE.hairpaint [--head MESH] ...".
 [[nodiscard]] QString usageOf(const Command& command);
 /// Usage and purpose as lines; with `options` those of each of them, too.

@@ -141,15 +141,14 @@ model::Result<void> checkShapes(const QString& output, const Film& film, const Q
 /// What would be given for nothing; empty where there is none.
 QString uselessOption(const QCommandLineParser& parser)
 {
-    constexpr std::array kOfHair = {"target", "settle", "hairs", "wind", "motion", "frames", "fps"};
-    constexpr std::array kOfMaps = {"image", "depth", "grey", "udim"};
-    const auto isGiven = [&parser](const char* name) { return parser.isSet(QString::fromLatin1(name)); };
-    const auto* const ofHair = std::ranges::find_if(kOfHair, isGiven);
-    const QString useless = ofHair != kOfHair.end() ? QString::fromLatin1(*ofHair) : givenFormatOption(parser);
-    if (!isGiven("o") && !useless.isEmpty())
-        return CommandLine::tr("--%1 is for hair; give -o too").arg(useless);
-    if (const auto* const name = std::ranges::find_if(kOfMaps, isGiven); !isGiven("maps") && name != kOfMaps.end())
-        return CommandLine::tr("--%1 is for images of maps; give --maps too").arg(QLatin1StringView(*name));
+    for (const QString& name : parser.optionNames()) {
+        const QLatin1StringView other(optionOf(kExport, name).useWith);
+        if (other.isEmpty() || parser.isSet(other))
+            continue;
+        return (other == QLatin1StringView("o") ? CommandLine::tr("--%1 is for hair; give -o too")
+                                                : CommandLine::tr("--%1 is for images of maps; give --maps too"))
+            .arg(name);
+    }
     return {};
 }
 
@@ -176,14 +175,14 @@ ExitCode runExport(const QStringList& arguments)
         return wrongUsage(kExport, mapOptions.error());
     if (!sheet.isEmpty() && !model::isUvSheet(sheet))
         return wrongUsage(kExport, CommandLine::tr("--uv-sheet takes a name that ends in .pdf or .svg"));
-    const auto settle = numberOption(parser, kExport, QStringLiteral("settle"), 0.0, 0.0, 60.0);
+    const auto settle = numberOption(parser, kExport, QStringLiteral("settle"));
     const auto hairs = hairsOption(parser, kExport);
     const auto wind = windOption(parser, kExport);
     const auto motion = motionOption(parser, kExport);
     tl::expected<Film, QString> film = framesOption(parser);
     if (!film)
         return wrongUsage(kExport, film.error());
-    const auto rate = numberOption(parser, kExport, QStringLiteral("fps"), film->framesPerSecond, 1.0, 240.0);
+    const auto rate = numberOption(parser, kExport, QStringLiteral("fps"));
     if (!settle || !hairs || !wind || !motion || !rate)
         return ExitCode::WrongUsage;
     film->framesPerSecond = *rate;

@@ -144,17 +144,6 @@ std::vector<CommandOption> formatOptions()
     return rows;
 }
 
-QString givenFormatOption(const QCommandLineParser& parser)
-{
-    for (const model::ExportFormat& format : model::exportFormats())
-        if (isSet(parser, format.flag))
-            return QString::fromLatin1(format.flag);
-    for (const model::ExportOption* option : model::exportOptions())
-        if (isSet(parser, option->flag))
-            return QString::fromLatin1(option->flag);
-    return {};
-}
-
 tl::expected<model::ExportRequest, QString> readRequest(const QCommandLineParser& parser, const QString& output)
 {
     model::ExportRequest request{.format = &model::exportFormats().front(), .target = &model::exportTargets().front()};
@@ -167,7 +156,7 @@ tl::expected<model::ExportRequest, QString> readRequest(const QCommandLineParser
     if (parser.isSet(QStringLiteral("frames")) && !request.format->hasFilms)
         return tl::unexpected(notFor(QStringLiteral("frames"), *request.format,
                                      [](const model::ExportFormat& format) { return format.hasFilms; }));
-    for (const model::ExportOption* option : model::exportOptions()) {
+    for (const model::ExportOption* option : model::exportOptionRows()) {
         if (!isSet(parser, option->flag))
             continue;
         if (!request.format->takes(*option))

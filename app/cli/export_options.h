@@ -8,8 +8,6 @@ namespace hairpaint::app {
 
 /// Rows of --cards, --triangles and so on: what asks for a format, and what formats take.
 [[nodiscard]] std::vector<CommandOption> formatOptions();
-/// The first of them that is given; empty where none is.
-[[nodiscard]] QString givenFormatOption(const QCommandLineParser& parser);
 /// What is wanted of the hair for a file of that name, without groups, number of hairs and what the project gives; the
 /// problem in words. Without a name it is the first format.
 [[nodiscard]] tl::expected<model::ExportRequest, QString> readRequest(const QCommandLineParser& parser,

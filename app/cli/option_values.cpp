@@ -8,19 +8,19 @@
 
 namespace hairpaint::app {
 
-std::optional<double> numberOption(const QCommandLineParser& parser, const char* command, const QString& option,
-                                   double fallback, double least, double most)
+std::optional<double> numberOption(const QCommandLineParser& parser, const char* command, const QString& option)
 {
+    const auto [least, greatest, standard] = *optionOf(command, option).number;
     if (!parser.isSet(option))
-        return fallback;
+        return standard;
     bool isNumber = false;
     const double value = parser.value(option).toDouble(&isNumber);
-    if (isNumber && value >= least && value <= most)
+    if (isNumber && value >= least && value <= greatest)
         return value;
     (void)wrongUsage(command, CommandLine::tr("--%1 takes a number from %2 to %3, not '%4'")
                                   .arg(option)
                                   .arg(least)
-                                  .arg(most, 0, 'g', 10)
+                                  .arg(greatest, 0, 'g', 10)
                                   .arg(parser.value(option)));
     return std::nullopt;
 }

@@ -13,11 +13,11 @@
 
 namespace hairpaint::app {
 
-/// A number option within a range; `fallback` where it is not given; none (with the usage printed) where it is
-/// nonsense.
+/// A number in the range of its row among the command's options, the row's standard where it is not given; none (with
+/// the usage printed) where it is nonsense.
 [[nodiscard]] std::optional<double> numberOption(const QCommandLineParser& parser, const char* command,
-                                                 const QString& option, double fallback, double least, double most);
-/// The same for a count: digits alone.
+                                                 const QString& option);
+/// A count, digits alone; `fallback` where it is not given, none likewise.
 [[nodiscard]] std::optional<std::int64_t> countOption(const QCommandLineParser& parser, const char* command,
                                                       const QString& option, std::int64_t fallback, std::int64_t most);
 /// --wind X,Y,Z in m/s: no value inside where it is not given; none (with the usage printed) where it is nonsense.

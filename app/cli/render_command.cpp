@@ -222,9 +222,8 @@ ExitCode runRender(const QStringList& arguments)
         return wrongUsage(kName, CommandLine::tr("A picture in linear light has at most %1 million pixels; give a "
                                                  "smaller --size, or a name that ends in .png")
                                      .arg(kMostLinearPixels / 1'000'000));
-    constexpr double kSettleSeconds = 2.0;
-    const auto settle = numberOption(parser, kName, QStringLiteral("settle"), kSettleSeconds, 0.0, 60.0);
-    const auto rate = numberOption(parser, kName, QStringLiteral("fps"), options->film.framesPerSecond, 1.0, 240.0);
+    const auto settle = numberOption(parser, kName, QStringLiteral("settle"));
+    const auto rate = numberOption(parser, kName, QStringLiteral("fps"));
     const auto hairs = hairsOption(parser, kName);
     const auto wind = windOption(parser, kName);
     const auto motion = motionOption(parser, kName);

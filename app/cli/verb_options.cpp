@@ -2,6 +2,7 @@
 #include "app/cli/verb_options.h"
 
 #include "app/cli/export_options.h"
+#include "app/cli/film.h"
 #include "model/exporting/map_images.h"
 #include "model/formats/export_format.h"
 #include "model/importing/curve_reader.h"
@@ -20,10 +21,12 @@ CommandOption projectOutput()
     return {QStringLiteral("-o, --output P.hairpaint"), CommandLine::tr("the project to write"), Use::Required};
 }
 
-CommandOption settleOption()
+CommandOption settleOption(double standard)
 {
-    return {QStringLiteral("--settle SECONDS"),
-            CommandLine::tr("how long the hair falls first; 0 is the shape it was given")};
+    CommandOption option{QStringLiteral("--settle SECONDS"),
+                         CommandLine::tr("how long the hair falls first; 0 is the shape it was given")};
+    option.number = {.least = 0.0, .greatest = 60.0, .standard = standard};
+    return option;
 }
 
 CommandOption numberOfHairs()
@@ -39,12 +42,28 @@ CommandOption windVelocity()
 
 CommandOption frameRate()
 {
-    return {QStringLiteral("--fps F"), CommandLine::tr("frames a second of a film; 30 unless given")};
+    constexpr double kStandard = Film().framesPerSecond;
+    CommandOption option{QStringLiteral("--fps F"),
+                         CommandLine::tr("frames a second of a film; %1 unless given").arg(kStandard)};
+    option.number = {.least = 1.0, .greatest = 240.0, .standard = kStandard};
+    return option;
 }
 
 CommandOption headMotion(const QString& meaning)
 {
     return {QStringLiteral("--motion nod|shake|turn"), meaning};
+}
+
+CommandOption withHair(CommandOption option)
+{
+    option.useWith = "o";
+    return option;
+}
+
+CommandOption withMaps(CommandOption option)
+{
+    option.useWith = "maps";
+    return option;
 }
 
 /// "FILE.hair|.usda|.usdz".
@@ -137,30 +156,33 @@ std::vector<CommandOption> exportOptions()
          CommandLine::tr(
              "the file to write: curves, USD, lines, ribbons as a mesh, or an avatar: cards on spring bones "
              "with the body of a head that came with a skeleton")},
-        {QStringLiteral("--target NAME"),
-         CommandLine::tr("whose unit and axes: %1; %2, in metres with y up, unless given")
-             .arg(idsOf(model::exportTargets().subspan(1)), QLatin1StringView(model::exportTargets().front().id))},
+        withHair(
+            {QStringLiteral("--target NAME"),
+             CommandLine::tr("whose unit and axes: %1; %2, in metres with y up, unless given")
+                 .arg(idsOf(model::exportTargets().subspan(1)), QLatin1StringView(model::exportTargets().front().id))}),
         {QStringLiteral("--group NAME"), CommandLine::tr("only this hair group; may be given again for more"),
          Use::Repeated},
     };
     for (CommandOption& option : formatOptions())
-        options.push_back(std::move(option));
+        options.push_back(withHair(std::move(option)));
     const std::vector<CommandOption> others = {
-        settleOption(),
-        numberOfHairs(),
-        windVelocity(),
-        headMotion(CommandLine::tr("the head moves once after that, and the hair settles for 1 s more; of a film, from "
-                                   "frame 0 on, again and again")),
-        {QStringLiteral("--frames A-B"), CommandLine::tr("hair in motion, a file a frame: FILE.0001.hair and on")},
-        frameRate(),
+        withHair(settleOption(0.0)),
+        withHair(numberOfHairs()),
+        withHair(windVelocity()),
+        withHair(headMotion(CommandLine::tr("the head moves once after that, and the hair settles for 1 s more; of a "
+                                            "film, from frame 0 on, again and again"))),
+        withHair(
+            {QStringLiteral("--frames A-B"), CommandLine::tr("hair in motion, a file a frame: FILE.0001.hair and on")}),
+        withHair(frameRate()),
         {QStringLiteral("--maps FOLDER"), CommandLine::tr("writes every map as an image into that folder")},
-        {QStringLiteral("--image ") + model::mapImageSuffixes().join(QLatin1Char('|')),
-         CommandLine::tr("of those images: %1; %2 unless given")
-             .arg(listOf(model::mapImageSuffixes()), model::mapImageSuffixes().front())},
-        {QStringLiteral("--depth 8|16"), CommandLine::tr("8 or 16 a channel of png and tif; 16 unless given")},
-        {QStringLiteral("--grey"), CommandLine::tr("values as brightness instead of the scales' colours")},
-        {QStringLiteral("--udim"),
-         CommandLine::tr("an image for each uv tile of the head, in its own layout: Scalp-density.1001.png")},
+        withMaps({QStringLiteral("--image ") + model::mapImageSuffixes().join(QLatin1Char('|')),
+                  CommandLine::tr("of those images: %1; %2 unless given")
+                      .arg(listOf(model::mapImageSuffixes()), model::mapImageSuffixes().front())}),
+        withMaps(
+            {QStringLiteral("--depth 8|16"), CommandLine::tr("8 or 16 a channel of png and tif; 16 unless given")}),
+        withMaps({QStringLiteral("--grey"), CommandLine::tr("values as brightness instead of the scales' colours")}),
+        withMaps({QStringLiteral("--udim"),
+                  CommandLine::tr("an image for each uv tile of the head, in its own layout: Scalp-density.1001.png")}),
         {QStringLiteral("--uv-sheet FILE.pdf|.svg"),
          CommandLine::tr("writes the head's UV layout as a sheet to print and draw on")},
     };
@@ -186,7 +208,7 @@ std::vector<CommandOption> renderOptions()
         {QStringLiteral("--skin NAME"), CommandLine::tr("%1, instead of the project's").arg(idsOf(model::skinLooks()))},
         {QStringLiteral("--light NAME"),
          CommandLine::tr("%1, instead of the project's").arg(idsOf(model::lightPresets()))},
-        settleOption(),
+        settleOption(2.0),
         {QStringLiteral("--frames A-B"), CommandLine::tr("a film instead of one picture: FILE.0001.png and on")},
         frameRate(),
         numberOfHairs(),

@@ -65,8 +65,10 @@ model::Result<QImage> PictureMaker::sketch(const rendering::Scene& scene, QSize 
 model::Result<void> PictureMaker::drawOnly(const rendering::Scene& scene, rendering::Quality quality, QSize size,
                                            const model::Progress& progress)
 {
-    if (std::max(size.width(), size.height()) > kLargestFinePx)
-        quality.samples = 1;
+    const rendering::Capabilities able = m_renderer->capabilities();
+    Q_ASSERT(able.transparent && able.linear); // Pictures may ask for both.
+    quality.samples =
+        std::max(size.width(), size.height()) > kLargestFinePx ? 1 : std::min(quality.samples, able.mostSamples);
     if (!m_renderer->drawPatiently(scene, quality, size.width(), size.height(), progress))
         return model::failure(QCoreApplication::translate("Picture", "Drawing the picture was cancelled."));
     return {};

@@ -74,9 +74,9 @@ std::optional<Request> receive()
 
 wire::Sandbox sandboxFor(const std::string& file)
 {
-    const importer::Sandbox sandbox = importer::enterSandbox(file);
-    return {.landlockVersion = static_cast<std::uint32_t>(sandbox.landlockVersion),
-            .filtersCalls = sandbox.filtersCalls ? 1U : 0U,
+    const importer::Confinement layers = importer::enterSandbox(file);
+    return {.landlockVersion = static_cast<std::uint32_t>(layers.landlockVersion),
+            .filtersCalls = layers.filtersCalls ? 1U : 0U,
             .mostMegabytes = importer::mostMegabytes()};
 }
 

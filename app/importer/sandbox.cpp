@@ -20,17 +20,17 @@ void closeInherited()
 #endif
 }
 
-Sandbox enterSandbox([[maybe_unused]] const std::string& file)
+Confinement enterSandbox([[maybe_unused]] const std::string& file)
 {
-    Sandbox sandbox;
+    Confinement layers;
 #ifdef __linux__
     // Without it neither layer may be entered by an ordinary user.
     if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
-        return sandbox;
-    sandbox.landlockVersion = confineFiles(file);
-    sandbox.filtersCalls = filterCalls();
+        return layers;
+    layers.landlockVersion = confineFiles(file);
+    layers.filtersCalls = filterCalls();
 #endif
-    return sandbox;
+    return layers;
 }
 
 } // namespace hairpaint::importer

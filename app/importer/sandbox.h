@@ -6,7 +6,7 @@
 namespace hairpaint::importer {
 
 /// The layers of confinement that are in force.
-struct Sandbox
+struct Confinement
 {
     int landlockVersion = 0;   ///< 0: files are not confined.
     bool filtersCalls = false; ///< By the list in call_filter.cpp.
@@ -24,6 +24,6 @@ void closeInherited();
 /// Linux: Landlock for files (file_confinement.h), a seccomp filter for everything that a process asks the kernel for
 /// (call_filter.h), each where the kernel has it; without them it goes on as it is. Elsewhere nothing happens here
 /// (Windows: a job object, see resource_limits.h).
-Sandbox enterSandbox(const std::string& file);
+Confinement enterSandbox(const std::string& file);
 
 } // namespace hairpaint::importer

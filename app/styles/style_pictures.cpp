@@ -107,7 +107,7 @@ QImage drawStyle(const model::Preset& preset, const model::Progress& progress)
 QImage pictureOfFile(const QString& path, const StylePictures::Draw& draw, const model::Progress& progress)
 {
     const QString name = styleContentName(path);
-    const QString cached = cacheFolder() + QLatin1Char('/') + model::builtInHead()->name + QLatin1Char('-') + name +
+    const QString cached = cacheFolder() + QLatin1Char('/') + model::defaultHead()->name + QLatin1Char('-') + name +
                            QStringLiteral(".png");
     if (!name.isEmpty())
         if (const auto bytes = model::contentOfOrdinaryFile(cached, kMostCachedBytes)) // No pipe keeps it waiting.

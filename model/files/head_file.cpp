@@ -211,7 +211,7 @@ double scalpFractionOf(const Head& head)
 {
     constexpr std::size_t kMostFaces = 5000; // A percent of error is as good as none.
     const heads::HeadRow& row = *heads::headRows().front();
-    const sim::Skin& known = *builtInHead()->skin;
+    const sim::Skin& known = *defaultHead()->skin;
     const sim::HeadWarp warp(*head.landmarks, row.landmarks);
     const std::size_t faces = head.skin->mesh().triangles.size();
     const std::size_t stride = faces / kMostFaces + 1;
@@ -231,7 +231,7 @@ double scalpFractionOf(const Head& head)
 
 } // namespace
 
-std::shared_ptr<const Head> builtInHead()
+std::shared_ptr<const Head> defaultHead()
 {
     return loaded(*heads::headRows().front());
 }
@@ -315,7 +315,7 @@ Checked<std::shared_ptr<const Head>> headFromGlb(const QString& name, const QByt
     head->parts = std::move(parts->parts);
     head->texture = std::move(parts->texture);
     head->distances = sim::DistanceGrid::make(touched, [&goesOn](double) { return !goesOn || goesOn(); });
-    const Head& known = *builtInHead();
+    const Head& known = *defaultHead();
     head->landmarks = landmarks ? landmarks
                                 : sim::findLandmarks(*head->skin, *known.skin, *known.landmarks,
                                                      [&goesOn](double) { return !goesOn || goesOn(); });

@@ -11,7 +11,7 @@
 namespace hairpaint::model {
 
 /// The built-in head that a new project has (model/heads). Loaded once, then shared.
-[[nodiscard]] std::shared_ptr<const Head> builtInHead();
+[[nodiscard]] std::shared_ptr<const Head> defaultHead();
 /// The one that a file names.
 [[nodiscard]] Checked<std::shared_ptr<const Head>> builtInHead(const QString& name);
 /// What hair collides with on the built-in head of that name; on that of a new project, where none has it.

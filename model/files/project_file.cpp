@@ -106,7 +106,7 @@ Project newProject()
 {
     Project project;
     project.maxHairs = kMostHairs; // A file that does not say has a smaller limit.
-    project.head = builtInHead();
+    project.head = defaultHead();
     project.groups.push_back(makeGroup(project, QStringLiteral("Scalp")));
     project.setShapesOfHead(builtInEllipsoids());
     return project;

@@ -160,7 +160,7 @@ ExportRequest ExportFormat::requestFor(const ExportRequest& wanted) const
 {
     ExportRequest request = wanted;
     request.format = this;
-    for (const ExportOption* option : exportOptions())
+    for (const ExportOption* option : exportOptionRows())
         if (!takes(*option))
             option->reset(request);
     for (const ExportOption* option : implied)
@@ -199,7 +199,7 @@ const ExportFormat& cardFormat()
                                  [](const ExportFormat& format) { return format.hasCards && !format.isAvatar; });
 }
 
-const std::vector<const ExportOption*>& exportOptions()
+const std::vector<const ExportOption*>& exportOptionRows()
 {
     static const std::vector<const ExportOption*> all = [] {
         std::vector<const ExportOption*> options;

@@ -74,6 +74,6 @@ struct ExportFormat
 [[nodiscard]] const ExportFormat& cardFormat();
 
 /// Those of all formats, each once, in their order.
-[[nodiscard]] const std::vector<const ExportOption*>& exportOptions();
+[[nodiscard]] const std::vector<const ExportOption*>& exportOptionRows();
 
 } // namespace hairpaint::model

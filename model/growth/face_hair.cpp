@@ -144,7 +144,7 @@ HairGroup grown(Project& project, const FaceGroup& what, const Head& head)
 std::optional<std::vector<HairGroup>> grownWhere(const std::function<bool(const FaceGroup&)>& wanted,
                                                  const std::shared_ptr<const Head>& head, const Progress& progress)
 {
-    const std::shared_ptr<const Head> known = builtInHead();
+    const std::shared_ptr<const Head> known = defaultHead();
     if (head != known && !canCarry(known, head))
         return std::vector<HairGroup>();
     Project project;

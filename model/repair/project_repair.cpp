@@ -238,7 +238,7 @@ private:
         if (!head) {
             m_losses.head(m_headIsNamed ? reference.name : QString());
             manifest.project.setShapesOfHead(builtInEllipsoids());
-            head = builtInHead();
+            head = defaultHead();
         }
         manifest.project.head = std::move(*head);
         return {};

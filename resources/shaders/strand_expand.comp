@@ -173,7 +173,7 @@ void main()
                                                styles[slot].lengthM * (1.0 - braidStart)),
                                     CoilTraits(coil.x, coil.y, coil.z, coil.w, uncoil.x, uncoil.y), curled);
             else
-                offset = curlOffset(phase + 2.0 * kPi * turns * curled) * curlRadius(radius, curled);
+                offset = curlOffset(curlAngle(phase, turns, curled)) * curlRadius(radius, curled);
             point += reference * offset.x + cross(tangent, reference) * offset.y + tangent * offset.z;
         }
         if (isFrizzy) {

@@ -83,6 +83,12 @@ CURVE_FUNCTION Vec3 carried(Vec3 reference, Vec3 lastPoint, Vec3 lastTangent, Ve
     return select(squared > kTiny, select(turnSquared > kTiny, turned, reflected), reference);
 }
 
+// Its t at a fraction of the hair: the phase at the root, and so many turns to the tip.
+CURVE_FUNCTION Num curlAngle(Num phase, Num turns, Num s)
+{
+    return phase + turns * kFullTurn * s;
+}
+
 // Equation 1 without its linear part, in units of the radius.
 CURVE_FUNCTION Vec3 curlOffset(Num t)
 {

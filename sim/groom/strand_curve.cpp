@@ -202,7 +202,7 @@ int curveSegmentsOf(const StrandStyle& style, const CurlSettings* coils)
         segments = std::max(segments, style.braidTurns * std::max(lacingOf(style.braid).swings, 2.0F) * kPointsPerTurn /
                                           std::max(1.0F - style.braidStart, 0.1F));
     if (style.frizzM > 0.0F)
-        segments = std::max(segments, frizzOf(style).waveRad / glm::two_pi<float>() * kFrizzFiner * kPointsPerTurn);
+        segments = std::max(segments, frizzOf(style).waveRad / kFullTurn * kFrizzFiner * kPointsPerTurn);
     return static_cast<int>(std::ceil(std::clamp(segments, 0.0F, coils != nullptr ? kMostOfCoils : kMostSegments)));
 }
 
@@ -290,7 +290,7 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
             point += reference * offset.x + glm::cross(tangent, reference) * offset.y;
         } else if (isCurled) {
             const float curled = of_floats::curledFraction(s, style.braidStart);
-            const glm::vec3 offset = curlOffset(style.phase + glm::two_pi<float>() * style.turns * curled) *
+            const glm::vec3 offset = curlOffset(of_floats::curlAngle(style.phase, style.turns, curled)) *
                                      of_floats::curlRadius(style.curlRadiusM, curled);
             point += reference * offset.x + glm::cross(tangent, reference) * offset.y + tangent * offset.z;
         }

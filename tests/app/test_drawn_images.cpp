@@ -147,7 +147,7 @@ private:
         std::vector<sim::SurfacePoint> roots;
         roots.reserve(strands.size());
         for (const auto& strand : strands)
-            roots.push_back(model::builtInHead()->skin->nearest(strand.front()));
+            roots.push_back(model::defaultHead()->skin->nearest(strand.front()));
         return roots;
     }
 

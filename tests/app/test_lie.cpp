@@ -25,7 +25,7 @@ constexpr int kMapSize = 512;
 template<typename ValueAt>
 void paint(sim::TiledRaster& raster, const ValueAt& valueAt)
 {
-    const sim::Skin& skin = *model::builtInHead()->skin;
+    const sim::Skin& skin = *model::defaultHead()->skin;
     for (int y = 0; y < kMapSize; ++y)
         for (int x = 0; x < kMapSize; ++x) {
             const glm::vec2 uv((static_cast<float>(x) + 0.5F) / kMapSize,
@@ -133,7 +133,7 @@ void TestLie::shortHairLiesCloseToTheSkin()
     QFETCH(float, lengthM);
     const Strands& hairs = natural(lengthM);
     QCOMPARE(hairs.size(), std::size_t{kHairs});
-    const sim::DistanceGrid& grid = *model::builtInHead()->distances;
+    const sim::DistanceGrid& grid = *model::defaultHead()->distances;
     int points = 0;
     int close = 0;
     for (const auto& hair : hairs)

@@ -35,7 +35,7 @@ private:
     }
 
 private Q_SLOTS:
-    void initTestCase() { m_shown = std::make_unique<const sim::Skin>(*model::builtInHead()->shownMesh); }
+    void initTestCase() { m_shown = std::make_unique<const sim::Skin>(*model::defaultHead()->shownMesh); }
 
     void hairStaysOutOfTheWholeBust_data()
     {
@@ -69,7 +69,7 @@ private Q_SLOTS:
         const Strands hairs = exportedHair(app::SettledHair(*project, 2.0, {.hairs = {}, .windVelocity = wind}),
                                            m_folder.filePath(QStringLiteral("a.hair")), 3000);
         QCOMPARE(hairs.size(), std::size_t{3000});
-        const model::Head& head = *model::builtInHead();
+        const model::Head& head = *model::defaultHead();
         int deep = 0;
         int deeper = 0;
         for (const std::vector<glm::vec3>& hair : hairs) {

@@ -28,7 +28,7 @@ constexpr double kSettledSeconds = 2.0;
 std::shared_ptr<const model::Head> headNamed(const QString& name)
 {
     if (name == QLatin1StringView("new"))
-        return model::builtInHead();
+        return model::defaultHead();
     static const std::shared_ptr<const model::Head> other = [] {
         auto head = std::make_shared<model::Head>(**model::builtInHead(QStringLiteral("bust-1")));
         head->distances = sim::DistanceGrid::make(head->skin->mesh());

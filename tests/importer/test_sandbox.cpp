@@ -228,7 +228,7 @@ private Q_SLOTS:
             const pid_t child = ::fork();
             if (child == 0) {
                 pretendToLack(lacking);
-                const importer::Sandbox sandbox = importer::enterSandbox(file);
+                const importer::Confinement sandbox = importer::enterSandbox(file);
                 const bool isTold = (sandbox.landlockVersion > 0) == landlock && sandbox.filtersCalls == filter;
                 const bool reads = ::open(file.c_str(), O_RDONLY | O_CLOEXEC) >= 0;
                 const bool writes = !refused(::open(file.c_str(), O_WRONLY | O_CLOEXEC));

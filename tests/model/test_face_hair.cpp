@@ -118,7 +118,7 @@ private Q_SLOTS:
 
     void aHeadWithoutLandmarksGetsNone()
     {
-        auto bare = std::make_shared<Head>(*builtInHead());
+        auto bare = std::make_shared<Head>(*defaultHead());
         bare->builtIn = false;
         bare->landmarks.reset();
         const auto groups = faceHair(bare);

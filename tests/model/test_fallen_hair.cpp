@@ -18,7 +18,7 @@ namespace {
 Project uncombed(float lengthM)
 {
     Project project = filledPatch(MapKind::Length, 65535);
-    project.head = builtInHead();
+    project.head = defaultHead();
     project.groups.front().settings.greatestLengthM = lengthM;
     return project;
 }

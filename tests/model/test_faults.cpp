@@ -97,7 +97,7 @@ private:
         constexpr qint64 kRewriteBytes = 4000;
         std::vector<JournalState> states;
         Project project = test::filledPatch(MapKind::Length, 1234);
-        project.head = builtInHead();
+        project.head = defaultHead();
         for (int step = 0; step < 6; ++step) {
             for (int tile = 0; tile < 4; ++tile)
                 project.groups.front()

@@ -52,8 +52,8 @@ class TestHeadFile : public QObject
 private Q_SLOTS:
     void theBuiltInHeadIsLoadedOnceAndIsAHead()
     {
-        const std::shared_ptr<const Head> head = builtInHead();
-        QCOMPARE(head, builtInHead());
+        const std::shared_ptr<const Head> head = defaultHead();
+        QCOMPARE(head, defaultHead());
         QCOMPARE(head->name, QStringLiteral("bust-2"));
         QVERIFY(head->shownMesh->positionsHd.size() > 3 * head->skin->mesh().positionsHd.size());
         QVERIFY(sim::openEdges(*head->shownMesh).empty());
@@ -65,7 +65,7 @@ private Q_SLOTS:
 
     void theNewBustsSkinIsMarked()
     {
-        const std::shared_ptr<const Head> head = builtInHead();
+        const std::shared_ptr<const Head> head = defaultHead();
         const sim::HeadMesh& shown = *head->shownMesh;
         const sim::HeadMesh& coarse = head->skin->mesh();
         QCOMPARE(shown.marks.size(), shown.positionsHd.size());
@@ -127,7 +127,7 @@ private Q_SLOTS:
 
     void theMarksAreSymmetric()
     {
-        const sim::HeadMesh& mesh = builtInHead()->skin->mesh();
+        const sim::HeadMesh& mesh = defaultHead()->skin->mesh();
         std::map<std::tuple<float, float, float>, sim::SkinMarks> known;
         for (std::size_t i = 0; i < mesh.positionsHd.size(); ++i)
             known[{mesh.positionsHd[i].x, mesh.positionsHd[i].y, mesh.positionsHd[i].z}] = mesh.marks[i];
@@ -144,7 +144,7 @@ private Q_SLOTS:
 
     void aMeshComesBackBitForBit()
     {
-        for (const sim::HeadMesh& mesh : {test::makeBallHead(16), builtInHead()->skin->mesh()}) {
+        for (const sim::HeadMesh& mesh : {test::makeBallHead(16), defaultHead()->skin->mesh()}) {
             const QByteArray glb = glbFromMesh(mesh);
             const Checked<sim::HeadMesh> back = meshFromGlb(glb);
             QVERIFY(back);

@@ -36,7 +36,7 @@ private:
     static Project startProject()
     {
         Project project = patchProject();
-        project.head = builtInHead();
+        project.head = defaultHead();
         project.groups.push_back(makeGroup(project, QStringLiteral("Fringe"), 256));
         for (HairGroup& group : project.groups)
             for (SharedStack& map : group.maps) {
@@ -105,7 +105,7 @@ private:
         case 9:
             if (project.head->builtIn)
                 return document.push(setHeadCommand(document, headOf(makeBallHead(8), false), {}));
-            return document.push(setHeadCommand(document, builtInHead(), builtInEllipsoids()));
+            return document.push(setHeadCommand(document, defaultHead(), builtInEllipsoids()));
         default:
             return document.push(applyPresetCommand(document, presetFrom(project, QStringLiteral("Style"))));
         }

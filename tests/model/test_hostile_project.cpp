@@ -76,7 +76,7 @@ private Q_SLOTS:
         m_good = m_folder.filePath(QStringLiteral("good.hairpaint"));
         m_bad = m_folder.filePath(QStringLiteral("bad.hairpaint"));
         Project project;
-        project.head = builtInHead();
+        project.head = defaultHead();
         project.groups.push_back(makeGroup(project, QStringLiteral("Scalp"), 256));
         test::paintPattern(project.groups.front().map(MapKind::Density).layers.front().raster, false, 1);
         QVERIFY(saveProject(project, m_good, {}));
@@ -327,7 +327,7 @@ private Q_SLOTS:
         constexpr int kSize = 2048;
         constexpr std::size_t kLayers = kMostHeldBytes / (std::size_t{kSize} * kSize * 4) + 1;
         Project project;
-        project.head = builtInHead();
+        project.head = defaultHead();
         project.groups.push_back(makeGroup(project, QStringLiteral("Scalp"), 256));
         MapStack& length = project.groups.front().map(MapKind::Length);
         length.size = kSize;

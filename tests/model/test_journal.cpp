@@ -376,7 +376,7 @@ void TestJournal::aWriterThatIsKilledLosesNothingItHasAcknowledged()
     constexpr qint64 kLeastRewrite = 60'000; // So that many are killed while it is written anew.
     std::mt19937 random(5);
     Project start = patchProject(256);
-    start.head = builtInHead();
+    start.head = defaultHead();
     int rewritten = 0;
     int lastStep = 0;
     for (int turn = 0; turn < kills; ++turn) {

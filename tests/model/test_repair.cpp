@@ -73,7 +73,7 @@ private:
     [[nodiscard]] static Project smallProject()
     {
         Project project = test::makeSampleProject();
-        project.head = builtInHead();
+        project.head = defaultHead();
         for (HairGroup& group : project.groups)
             for (const MapKind kind : {MapKind::Colour, MapKind::TipColour, MapKind::Direction, MapKind::Gel})
                 for (Layer& layer : group.map(kind).layers)

@@ -36,7 +36,7 @@ std::shared_ptr<const Head> importedHead(sim::HeadMesh mesh)
     head->name = QStringLiteral("foreign");
     head->builtIn = false;
     head->skin = std::make_shared<const sim::Skin>(std::move(mesh));
-    const Head& known = *builtInHead();
+    const Head& known = *defaultHead();
     head->landmarks = sim::findLandmarks(*head->skin, *known.skin, *known.landmarks);
     return head;
 }
@@ -54,7 +54,7 @@ const Foreign& foreign(bool scan)
         std::shared_ptr<const Head> head = importedHead(known.mesh);
         return Foreign{.known = std::move(known), .head = std::move(head)};
     };
-    const sim::HeadMesh& bust = builtInHead()->skin->mesh();
+    const sim::HeadMesh& bust = defaultHead()->skin->mesh();
     static const Foreign child = made(test::childOf(bust));
     static const Foreign scanned = made(test::scanOf(bust));
     return scan ? scanned : child;
@@ -63,7 +63,7 @@ const Foreign& foreign(bool scan)
 /// Points of a head that a hairdresser looks at: along the hairline, and along a parting in the middle.
 std::vector<glm::vec3> hairlineAndParting()
 {
-    const std::shared_ptr<const Head> bust = builtInHead();
+    const std::shared_ptr<const Head> bust = defaultHead();
     const heads::HeadRegions& regions = heads::headRows().front()->regions;
     std::vector<glm::vec3> points;
     for (const glm::vec3& p : bust->skin->mesh().positionsHd) {
@@ -85,7 +85,7 @@ HairGroup partedHair(Project& project)
     for (int y = 0; y < 512; ++y)
         for (int x = 0; x < 512; ++x) {
             const glm::vec2 uv((static_cast<float>(x) + 0.5F) / 512.0F, 1.0F - (static_cast<float>(y) + 0.5F) / 512.0F);
-            const std::optional<sim::SurfacePoint> point = builtInHead()->skin->atUv(uv);
+            const std::optional<sim::SurfacePoint> point = defaultHead()->skin->atUv(uv);
             if (!point || regions.scalpDistance(point->positionHd) <= 0.0F)
                 continue;
             const bool parting = std::abs(point->positionHd.x) < 0.005F && point->positionHd.z > 0.0F;
@@ -128,7 +128,7 @@ private Q_SLOTS:
         const auto& [foreign, head] = foreignHead();
         QVERIFY(head->landmarks.has_value());
         for (std::size_t i = 0; i < sim::kHeadLandmarkCount; ++i) {
-            const glm::vec3 wanted = foreign.moved(builtInHead()->landmarks->positionsHd[i]);
+            const glm::vec3 wanted = foreign.moved(defaultHead()->landmarks->positionsHd[i]);
             const float off = glm::distance(head->landmarks->positionsHd[i], wanted);
             qInfo("landmark %zu is %.1f mm off", i, 1000.0 * static_cast<double>(off));
             QVERIFY(off < kToleranceM);
@@ -139,12 +139,12 @@ private Q_SLOTS:
     void hairlineAndPartingLieAtTheSameLandmarks()
     {
         const auto& [foreign, head] = foreignHead();
-        const auto correspondence = UvCorrespondence::make(builtInHead(), head, 512);
+        const auto correspondence = UvCorrespondence::make(defaultHead(), head, 512);
         float worst = 0.0F;
         for (const glm::vec3& wanted : hairlineAndParting()) {
             const std::optional<glm::vec2> uv = correspondence->at(head->skin->nearest(foreign.moved(wanted)).uv);
             QVERIFY(uv.has_value());
-            const std::optional<sim::SurfacePoint> found = builtInHead()->skin->atUv(*uv);
+            const std::optional<sim::SurfacePoint> found = defaultHead()->skin->atUv(*uv);
             QVERIFY(found.has_value());
             worst = std::max(worst, glm::distance(found->positionHd, wanted));
         }
@@ -261,7 +261,7 @@ private Q_SLOTS:
             for (int x = 0; x < 512; ++x) {
                 const glm::vec2 uv((static_cast<float>(x) + 0.5F) / 512.0F,
                                    1.0F - (static_cast<float>(y) + 0.5F) / 512.0F);
-                const std::optional<sim::SurfacePoint> point = builtInHead()->skin->atUv(uv);
+                const std::optional<sim::SurfacePoint> point = defaultHead()->skin->atUv(uv);
                 if (!point)
                     continue;
                 const sim::SkinFrame frame = sim::SkinFrame::at(*point);
@@ -274,7 +274,7 @@ private Q_SLOTS:
                     points.emplace_back(point->positionHd,
                                         point->positionHd + 0.002F * glm::normalize(frame.toHd(along)));
             }
-        const auto groups = carriedGroups(project.groups, builtInHead(), head);
+        const auto groups = carriedGroups(project.groups, defaultHead(), head);
         const sim::TiledRaster& carried = groups->front().map(MapKind::Direction).layers.front().raster;
         std::vector<float> offDeg;
         for (const auto& [from, to] : points) {
@@ -383,7 +383,7 @@ private Q_SLOTS:
         for (const glm::vec3& p : (*head)->landmarks->positionsHd)
             QVERIFY(std::abs(glm::length(p) - 0.1F) < 0.002F);
         QVERIFY((*head)->scalpFraction > 0.0 && (*head)->scalpFraction <= 1.0);
-        const auto correspondence = UvCorrespondence::make(builtInHead(), *head, 64);
+        const auto correspondence = UvCorrespondence::make(defaultHead(), *head, 64);
         const std::optional<glm::vec2> uv = correspondence->at({0.5F, 0.5F});
         QVERIFY(uv && uv->x >= 0.0F && uv->x <= 1.0F && uv->y >= 0.0F && uv->y <= 1.0F);
     }
@@ -392,7 +392,7 @@ private Q_SLOTS:
     {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("foreign.hairpreset"));
-        const test::ForeignHead foreign = test::childOf(builtInHead()->skin->mesh());
+        const test::ForeignHead foreign = test::childOf(defaultHead()->skin->mesh());
         const auto head = makeHead(QStringLiteral("child"), glbFromMesh(foreign.mesh), 1.0F, UpAxis::Y);
         QVERIFY(head.has_value());
         Project project = m_project;
@@ -405,9 +405,9 @@ private Q_SLOTS:
         QVERIFY(read->head->landmarks == (*head)->landmarks);
         // The same head from another file is no other head; on the built-in one the hair is where it was.
         QVERIFY(!canCarry(read->head, *head));
-        const std::optional<Preset> carried = carriedPreset(*read, builtInHead());
+        const std::optional<Preset> carried = carriedPreset(*read, defaultHead());
         const sim::TiledRaster& density = carried->groups.front().map(MapKind::Density).layers.front().raster;
-        const sim::SurfacePoint top = builtInHead()->skin->nearest({0.03F, 0.11F, 0.0F});
+        const sim::SurfacePoint top = defaultHead()->skin->nearest({0.03F, 0.11F, 0.0F});
         QVERIFY(density.sampleBilinear(top.uv).x > 0.9F);
     }
 };

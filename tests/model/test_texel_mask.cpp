@@ -141,7 +141,7 @@ private Q_SLOTS:
     void theSkinIsAskedForOnce()
     {
         UvCover cover;
-        const std::shared_ptr<const sim::Skin> skin = builtInHead()->skin;
+        const std::shared_ptr<const sim::Skin> skin = defaultHead()->skin;
         const TexelMask* first = &cover.of(skin, 256);
         QVERIFY(first->any({0, 0, 256, 256}));
         QCOMPARE(&cover.of(skin, 256), first);

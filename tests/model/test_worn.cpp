@@ -195,7 +195,7 @@ private Q_SLOTS:
     {
         Document document(wearingAll());
         const Project before = document.committed();
-        document.push(setHeadCommand(document, builtInHead(), builtInEllipsoids()));
+        document.push(setHeadCommand(document, defaultHead(), builtInEllipsoids()));
         const Project& after = document.committed();
         QCOMPARE(shapesOfHead(after.worn), builtInEllipsoids());
         std::set<Id> ids;

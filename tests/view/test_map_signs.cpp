@@ -26,7 +26,7 @@ private:
 private Q_SLOTS:
     void leftAndRightAreToldApartOnEveryHead()
     {
-        const std::shared_ptr<const model::Head> bust = model::builtInHead();
+        const std::shared_ptr<const model::Head> bust = model::defaultHead();
         QVERIFY(sideOf(*bust, QStringLiteral("left ear")) > 0.05F);
         QVERIFY(sideOf(*bust, QStringLiteral("right ear")) < -0.05F);
         model::Head ball;

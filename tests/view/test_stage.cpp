@@ -55,7 +55,7 @@ private Q_SLOTS:
     void picturesFrameHairAndHeadAndNotThePedestal()
     {
         QFETCH(StandardView, view);
-        const std::shared_ptr<const model::Head> head = model::builtInHead();
+        const std::shared_ptr<const model::Head> head = model::defaultHead();
         const std::vector<glm::vec3>& mesh = head->skin->mesh().positionsHd;
         const glm::vec3 crown = *std::ranges::max_element(mesh, {}, &glm::vec3::y);
         const glm::vec3 foot = *std::ranges::min_element(mesh, {}, &glm::vec3::y);

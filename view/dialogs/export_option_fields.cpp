@@ -44,7 +44,7 @@ BarSlider* numberSlider(const model::ExportOption& option, const model::ExportNu
 
 ExportOptionFields::ExportOptionFields(QFormLayout& form, QWidget& dialog) : m_form(form)
 {
-    for (const model::ExportOption* option : model::exportOptions())
+    for (const model::ExportOption* option : model::exportOptionRows())
         m_fields.push_back(fieldOf(*option, form, dialog));
 }
 

@@ -33,7 +33,7 @@ constexpr SideRow kSides[] = {
 
 const sim::HeadLandmarks& knownLandmarks()
 {
-    return *model::builtInHead()->landmarks;
+    return *model::defaultHead()->landmarks;
 }
 
 /// Each at the nearest point of another head.
@@ -48,7 +48,7 @@ sim::HeadLandmarks landmarksNear(const sim::HeadLandmarks& known, const sim::Ski
 } // namespace
 
 LandmarksDialog::LandmarksDialog(const std::shared_ptr<const model::Head>& head, QWidget* parent)
-    : QDialog(parent), m_known(new HeadSide(model::builtInHead(), knownLandmarks(), this)),
+    : QDialog(parent), m_known(new HeadSide(model::defaultHead(), knownLandmarks(), this)),
       m_moved(
           new HeadSide(head, head->landmarks ? *head->landmarks : landmarksNear(knownLandmarks(), *head->skin), this))
 {

@@ -70,7 +70,7 @@ model::HairGroup grownHair(QLatin1StringView kind)
     const std::span<const model::HairKind> kinds = model::hairKinds();
     const auto found =
         std::ranges::find_if(kinds, [&](const auto& one) { return kind == QLatin1StringView(one.name); });
-    return *model::grownHair(*found, model::builtInHead());
+    return *model::grownHair(*found, model::defaultHead());
 }
 
 Recording::Recording(model::HairGroup grown, const sim::GroupSettings& settings) : m_document(model::newProject())

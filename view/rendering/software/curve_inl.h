@@ -14,7 +14,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
-inline constexpr float kTwoPi = 6.28318531F;
 inline constexpr float kNodeTolerance = 1e-3F; ///< Of numbers of nodes.
 
 /// The formula for as many strands as there are lanes.
@@ -156,7 +155,7 @@ HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spa
             } else if (block.anyCurl) {
                 const Lanes curledS = of_lanes::curledFraction(Lanes(s), loaded(block.braidStart.data() + lane));
                 const Lanes angle =
-                    loaded(block.phase.data() + lane) + loaded(block.turns.data() + lane) * (Lanes(kTwoPi) * curledS);
+                    of_lanes::curlAngle(loaded(block.phase.data() + lane), loaded(block.turns.data() + lane), curledS);
                 const Triple<Lanes> offset = of_lanes::curlOffset(angle);
                 const Lanes r = of_lanes::curlRadius(loaded(block.curlRadiusM.data() + lane), curledS);
                 const Triple<Lanes> curled =
