@@ -22,9 +22,12 @@ namespace hairpaint::model {
 namespace {
 
 constexpr std::array kGrabKinds{
-    ToolChoice::Item{"grab-hair", QT_TRANSLATE_NOOP("ToolOptions", "Grab hair wherever it is seen")},
-    ToolChoice::Item{"grab-guides",
-                     QT_TRANSLATE_NOOP("ToolOptions", "Bend single hairs by their nodes; the hair around follows")},
+    ToolChoice::Item{.icon = "grab-hair", .title = QT_TRANSLATE_NOOP("ToolOptions", "Grab hair wherever it is seen")},
+    ToolChoice::Item{
+        .icon = "grab-guides",
+        .title = QT_TRANSLATE_NOOP("ToolOptions", "Bend single hairs by their nodes; the hair around follows"),
+        .hint = QT_TRANSLATE_NOOP(
+            "Tool", "Point at hair, and drag a node of the hairs that are shown; they keep their length")},
 };
 constexpr ToolOption kGrabKind{
     .key = "grab",
@@ -75,16 +78,9 @@ constexpr ToolTraits kGrab{
 
 class GrabTool : public Tool, private HairHandler
 {
-    Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
     [[nodiscard]] const ToolTraits& traits() const override { return kGrab; }
 
-    [[nodiscard]] QString hintFor(const ToolSettings& settings) const override
-    {
-        return settings.grab == GrabKind::Guides
-                   ? tr("Point at hair, and drag a node of the hairs that are shown; they keep their length")
-                   : hint();
-    }
     [[nodiscard]] HairHandler* hairHandler() override { return this; }
     [[nodiscard]] std::vector<GuideStrand> guides() const override { return m_guides; }
 

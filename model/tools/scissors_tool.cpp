@@ -22,10 +22,19 @@ namespace hairpaint::model {
 
 namespace {
 
+constexpr const char* kCutStep = QT_TRANSLATE_NOOP("Tool", "Cut hair");
 constexpr std::array kCutKinds{
-    ToolChoice::Item{"cut-line", QT_TRANSLATE_NOOP("ToolOptions", "Cut along a straight line")},
-    ToolChoice::Item{"cut-freehand", QT_TRANSLATE_NOOP("ToolOptions", "Cut along the line as it is drawn")},
-    ToolChoice::Item{"cut-lasso", QT_TRANSLATE_NOOP("ToolOptions", "Cut off what is inside")},
+    ToolChoice::Item{.icon = "cut-line",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Cut along a straight line"),
+                     .step = kCutStep},
+    ToolChoice::Item{.icon = "cut-freehand",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Cut along the line as it is drawn"),
+                     .step = kCutStep},
+    ToolChoice::Item{
+        .icon = "cut-lasso",
+        .title = QT_TRANSLATE_NOOP("ToolOptions", "Cut off what is inside"),
+        .step = kCutStep,
+        .hint = QT_TRANSLATE_NOOP("Tool", "Draw around hair in the 3D area: what is inside falls; Esc leaves no trace")},
 };
 constexpr ToolOption kCutKind{
     .key = "cut",
@@ -81,15 +90,8 @@ QPointF constrained(QPointF from, QPointF to)
 /// The hair is cut as it was seen when the line began, wherever it moves meanwhile.
 class ScissorsTool : public Tool, private PictureHandler
 {
-    Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
     [[nodiscard]] const ToolTraits& traits() const override { return kScissors; }
-    [[nodiscard]] QString hintFor(const ToolSettings& settings) const override
-    {
-        return settings.cut == CutKind::Lasso
-                   ? tr("Draw around hair in the 3D area: what is inside falls; Esc leaves no trace")
-                   : hint();
-    }
     [[nodiscard]] PictureHandler* pictureHandler() override { return this; }
     [[nodiscard]] PictureLine pictureLine() const override
     {
@@ -156,7 +158,7 @@ void ScissorsTool::pressPicture(const PictureEvent& event, ToolContext& context)
     sim::MapRaster length = context.document.resolvedNow(context.target.group, MapKind::Length);
     if (!m_edit.begin(context, title()))
         return;
-    m_edit.setText(tr("Cut hair"));
+    m_edit.setText(stepFor(context.settings));
     m_kind = context.settings.cut;
     m_line = {event.position};
     m_seen = context.seen->held();

@@ -204,8 +204,10 @@ public:
 
     /// What the status bar says the tool does next,
     [[nodiscard]] virtual QString hint() const { return tr(traits().hint); }
-    /// and with these settings.
-    [[nodiscard]] virtual QString hintFor(const ToolSettings& /*settings*/) const { return hint(); }
+    /// and with these settings: what the row of its choice says, where that says anything.
+    [[nodiscard]] QString hintFor(const ToolSettings& settings) const;
+    /// What undo calls what it does with these settings; empty where no row says, and the title will do.
+    [[nodiscard]] QString stepFor(const ToolSettings& settings) const;
 
     /// What takes hold of hair in the 3D area; null where the tool works on the skin there, too.
     [[nodiscard]] virtual HairHandler* hairHandler() { return nullptr; }

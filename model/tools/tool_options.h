@@ -47,12 +47,18 @@ struct ToolChoice
     struct Item
     {
         const char* icon;
-        const char* title; ///< To be translated in context "ToolOptions".
+        const char* title;      ///< To be translated in context "ToolOptions".
+        const char* step = "";  ///< What undo calls what is done with it, in context "Tool"; "": as the tool.
+        const char* hint = "";  ///< What the status bar says of it, in context "Tool"; "": as the tool.
         [[nodiscard]] QString titleText() const { return QCoreApplication::translate("ToolOptions", title); }
     };
     std::span<const Item> entries;
     int (*read)(const ToolSettings& settings) = nullptr;
     void (*write)(ToolSettings& settings, int index) = nullptr;
+    [[nodiscard]] const Item& chosen(const ToolSettings& settings) const
+    {
+        return entries[static_cast<std::size_t>(read(settings))];
+    }
 };
 
 /// A row. One that several tools have is the same object, or has the same key.
