@@ -82,7 +82,6 @@ public:
     [[nodiscard]] const ToolTraits& traits() const override { return kGrab; }
 
     [[nodiscard]] HairHandler* hairHandler() override { return this; }
-    [[nodiscard]] std::vector<GuideStrand> guides() const override { return m_guides; }
 
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override
@@ -129,6 +128,7 @@ private:
         moveHair(event, context);
         commit(context);
     }
+    [[nodiscard]] std::vector<GuideStrand> guides() const override { return m_guides; }
 
     /// `hair`: on the skin itself, 0 along, in the paint area.
     void take(const GrabbedHair& hair, ToolContext& context);

@@ -93,12 +93,6 @@ class ScissorsTool : public Tool, private PictureHandler
 public:
     [[nodiscard]] const ToolTraits& traits() const override { return kScissors; }
     [[nodiscard]] PictureHandler* pictureHandler() override { return this; }
-    [[nodiscard]] PictureLine pictureLine() const override
-    {
-        return active() ? PictureLine{.line = m_line, .closed = m_kind == CutKind::Lasso} : PictureLine{};
-    }
-
-    [[nodiscard]] std::vector<CutPiece> takeCutOff() override { return std::exchange(m_cutOff, {}); }
 
     // On the skin, and in the paint area, there is nothing to cut.
     void press(const ToolEvent& event, ToolContext& context) override { (void)picksInstead(event, context); }
@@ -130,6 +124,11 @@ private:
         movePicture(event, context);
         commit(context);
     }
+    [[nodiscard]] PictureLine pictureLine() const override
+    {
+        return active() ? PictureLine{.line = m_line, .closed = m_kind == CutKind::Lasso} : PictureLine{};
+    }
+    [[nodiscard]] std::vector<CutPiece> takeCutOff() override { return std::exchange(m_cutOff, {}); }
 
     void draw(const PictureEvent& event);
     [[nodiscard]] std::vector<StrandCut> cuts(const ToolSettings& settings) const;

@@ -1,8 +1,6 @@
 // What tools have in common.
 #include "model/tools/tool.h"
 
-#include "model/tools/cut_pieces.h"
-
 namespace hairpaint::model {
 
 namespace {
@@ -41,11 +39,6 @@ LayerAddress ToolContext::layer(MapKind map) const
              group != nullptr && !group->map(map).layers.empty())
         address.layer = group->map(map).layers.back().id;
     return address;
-}
-
-std::vector<CutPiece> Tool::takeCutOff()
-{
-    return {};
 }
 
 } // namespace hairpaint::model

@@ -166,9 +166,12 @@ public:
     virtual void releaseHair(const HairEvent& event, ToolContext& context) = 0;
     /// The pointer moves over hair, or beside it, with no button down.
     virtual void hoverHair(const std::optional<GrabbedHair>& /*hair*/, ToolContext& /*context*/) {}
+    /// Hairs that it offers, to be bent by their nodes.
+    [[nodiscard]] virtual std::vector<GuideStrand> guides() const = 0;
 };
 
-/// Of tools that in the 3D area draw over the picture, wherever they begin.
+/// Of tools that in the 3D area draw over the picture, wherever they begin: an interface of its own, since it has
+/// neither a point of the skin nor a hair to tell of and lasts while there is nothing under the pointer.
 class PictureHandler
 {
 public:
@@ -176,6 +179,10 @@ public:
     virtual void pressPicture(const PictureEvent& event, ToolContext& context) = 0;
     virtual void movePicture(const PictureEvent& event, ToolContext& context) = 0;
     virtual void releasePicture(const PictureEvent& event, ToolContext& context) = 0;
+    /// What it has drawn.
+    [[nodiscard]] virtual PictureLine pictureLine() const = 0;
+    /// What the last action has cut off; given once.
+    [[nodiscard]] virtual std::vector<CutPiece> takeCutOff() = 0;
 };
 
 /// A small state machine. Painting tools work in an edit session (LiveEdit): one press..release, or one pending shape,
@@ -213,12 +220,6 @@ public:
     [[nodiscard]] virtual HairHandler* hairHandler() { return nullptr; }
     /// What draws over the 3D area's picture; null where the tool works on the skin there, or on hair.
     [[nodiscard]] virtual PictureHandler* pictureHandler() { return nullptr; }
-    /// What it has drawn there.
-    [[nodiscard]] virtual PictureLine pictureLine() const { return {}; }
-    /// Hairs that it offers in the 3D area, to be bent by their nodes.
-    [[nodiscard]] virtual std::vector<GuideStrand> guides() const { return {}; }
-    /// What the last action has cut off; given once.
-    [[nodiscard]] virtual std::vector<CutPiece> takeCutOff();
     /// A key pressed while the tool is in use; false leaves it to others.
     virtual bool key(Qt::Key /*key*/, Qt::KeyboardModifiers /*modifiers*/, ToolContext& /*context*/) { return false; }
     /// The settings have changed: brings the running action up to date with them.

@@ -134,7 +134,7 @@ template<typename Call>
 void ToolBox::withTool(const Call& call)
 {
     model::Tool& tool = active();
-    const bool hadOverlay = !tool.overlay().empty() || !tool.guides().empty();
+    const bool hadOverlay = !tool.overlay().empty() || !guides().empty();
     const model::ToolSettings before = m_settings;
     model::ToolContext toolContext = context();
     const bool held = m_target.hold(true);
@@ -145,7 +145,7 @@ void ToolBox::withTool(const Call& call)
             m_amounts.takeChanges(*group, before, m_settings);
         Q_EMIT settingsChanged();
     }
-    if (hadOverlay || !tool.overlay().empty() || !tool.guides().empty())
+    if (hadOverlay || !tool.overlay().empty() || !guides().empty())
         Q_EMIT overlayChanged();
 }
 
@@ -238,6 +238,18 @@ void ToolBox::release(const model::ToolEvent& event)
         withTool([&event](model::Tool& tool, model::ToolContext& toolContext) { tool.release(event, toolContext); });
 }
 
+model::PictureLine ToolBox::pictureLine() const
+{
+    const model::PictureHandler* hand = active().pictureHandler();
+    return hand != nullptr ? hand->pictureLine() : model::PictureLine();
+}
+
+std::vector<model::GuideStrand> ToolBox::guides() const
+{
+    const model::HairHandler* hand = active().hairHandler();
+    return hand != nullptr ? hand->guides() : std::vector<model::GuideStrand>();
+}
+
 void ToolBox::press(const model::HairEvent& event)
 {
     model::HairHandler* hand = active().hairHandler();
@@ -266,11 +278,11 @@ void ToolBox::hover(const std::optional<model::GrabbedHair>& hair)
     model::HairHandler* hand = active().hairHandler();
     if (hand == nullptr || stroking())
         return;
-    const bool showed = !active().guides().empty();
+    const bool showed = !guides().empty();
     m_strokeTarget = m_target.address();
     model::ToolContext toolContext = context();
     hand->hoverHair(hair, toolContext);
-    if (showed || !active().guides().empty())
+    if (showed || !guides().empty())
         Q_EMIT overlayChanged();
 }
 
@@ -297,7 +309,7 @@ void ToolBox::release(const model::PictureEvent& event)
         return;
     withTool([&](model::Tool&, model::ToolContext& toolContext) { hand->releasePicture(event, toolContext); });
     Q_EMIT overlayChanged();
-    if (const std::vector<model::CutPiece> pieces = active().takeCutOff(); !pieces.empty())
+    if (const std::vector<model::CutPiece> pieces = hand->takeCutOff(); !pieces.empty())
         Q_EMIT hairCutOff(pieces);
 }
 

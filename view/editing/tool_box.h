@@ -79,6 +79,9 @@ public:
     [[nodiscard]] bool layingHair() const;
     /// What both areas draw over their picture: the active tool's shapes, and the selection's outlines, which march.
     [[nodiscard]] std::vector<model::OverlayShape> overlay() const;
+    /// What the active tool has drawn over the 3D area's picture, and the hairs that it offers there to be bent.
+    [[nodiscard]] model::PictureLine pictureLine() const;
+    [[nodiscard]] std::vector<model::GuideStrand> guides() const;
 
 Q_SIGNALS:
     void activeChanged();
