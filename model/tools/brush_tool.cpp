@@ -40,6 +40,7 @@ constexpr ToolTraits kBrush{
     .key = Qt::Key_B,
     .options = kBrushOptions,
     .hasRing = true,
+    .isFirst = true,
     .worksOnHair = [](const ToolSettings&) { return true; }};
 constexpr ToolTraits kEraser{
     .id = ToolId::Eraser,
@@ -50,6 +51,7 @@ constexpr ToolTraits kEraser{
     .key = Qt::Key_E,
     .options = ToolOptions(kBrushOptions).subspan(1),
     .hasRing = true,
+    .erases = true,
     .worksOnHair = [](const ToolSettings&) { return true; }};
 
 class BrushTool : public Tool

@@ -123,7 +123,7 @@ struct ToolContext
 /// What a tool is, whatever it does just now: its row.
 struct ToolTraits
 {
-    ToolId id = ToolId::Brush;
+    ToolId id{};
     const char* name = "";    ///< "brush": of its icon and in the names of its keys.
     const char* title = "";   ///< To be translated in context "Tool", as are the next two.
     const char* purpose = ""; ///< What it is for, a sentence.
@@ -132,6 +132,9 @@ struct ToolTraits
     ToolOptions options = {}; ///< What the option bar shows for it.
     bool hasRing = false;     ///< The cursor is a brush ring, and Ctrl+click takes the value there.
     bool paints = true;       ///< Needs a layer that can be painted on.
+    bool isFirst = false;     ///< In hand until another is chosen: one of all.
+    bool erases = false;      ///< Lays bare what lies below: one of all, which a pen's other end is. Its key goes back.
+    bool selects = false;     ///< What it draws is the selection, which the option bar then has more to do with.
     /// The map that it works on, whichever is active: choosing the tool, or pressing with it, makes that the active
     /// one.
     std::optional<MapKind> map = {};

@@ -255,6 +255,30 @@ private Q_SLOTS:
                                      QStringLiteral("app/importer/request_service.cpp")}));
     }
 
+    /// Others ask for its traits, so that another tool is its own file and a line.
+    void noFileNamesAToolButItsOwn()
+    {
+        const QRegularExpression tool(QStringLiteral(R"(\bToolId::[A-Z]\w*)"));
+        int own = 0;
+        for (const char* folder : {"app", "model", "view", "sim"}) {
+            QDirIterator walk(test::sourcePath(u"") + QLatin1String(folder),
+                              {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                              QDirIterator::Subdirectories);
+            while (walk.hasNext()) {
+                QFile file(walk.next());
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                const QRegularExpressionMatch named = tool.match(QString::fromUtf8(file.readAll()));
+                if (!named.hasMatch())
+                    continue;
+                ++own;
+                QVERIFY2(file.fileName().endsWith(QLatin1String("_tool.cpp")) &&
+                             file.fileName().contains(QLatin1String("/model/tools/")),
+                         qPrintable(file.fileName() + QLatin1Char(' ') + named.captured()));
+            }
+        }
+        QCOMPARE(own, 11); // The eraser is in the brush's.
+    }
+
     void noFileIsOverlong()
     {
         for (const char* folder : {"app", "model", "view", "sim", "tests", "resources"}) {

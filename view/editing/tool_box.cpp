@@ -30,6 +30,7 @@ ToolBox::ToolBox(EditTarget& target, const ViewOptions& options, QObject* parent
     : QObject(parent), m_target(target), m_options(options), m_tools(model::makeTools()),
       m_settings(startSettings(target.document().project()))
 {
+    m_active = m_previous = index(with(&model::ToolTraits::isFirst));
     if (const sim::GroupSettings* group = m_target.knownSettings())
         m_amounts.take(*group, m_settings);
     model::Document& document = target.document();
@@ -52,6 +53,11 @@ std::size_t ToolBox::index(model::ToolId id) const
 {
     const auto found = std::ranges::find_if(m_tools, [id](const auto& tool) { return tool->id() == id; });
     return static_cast<std::size_t>(found - m_tools.begin());
+}
+
+model::ToolId ToolBox::with(bool model::ToolTraits::*trait) const
+{
+    return (*std::ranges::find_if(m_tools, [trait](const auto& tool) { return tool->traits().*trait; }))->id();
 }
 
 bool ToolBox::choose(model::ToolId id)

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] const std::vector<std::unique_ptr<model::Tool>>& all() const { return m_tools; }
     [[nodiscard]] model::Tool& active() const { return *m_tools[m_active]; }
     bool choose(model::ToolId id);
+    /// The one that has that trait: isFirst, erases.
+    [[nodiscard]] model::ToolId with(bool model::ToolTraits::*trait) const;
     /// Back to the tool before the last choose: E toggles brush and eraser.
     void toggle(model::ToolId id);
 

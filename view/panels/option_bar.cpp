@@ -230,7 +230,7 @@ void OptionBar::showOptions()
         iconPixmap(QLatin1String(tool.name()), metrics::kIcon, Theme::current().text, devicePixelRatioF()));
     m_toolName->setText(tool.title());
     m_revealed->setVisible(erases(m_state));
-    m_selectionBox->setVisible(tool.id() == model::ToolId::Select);
+    m_selectionBox->setVisible(tool.traits().selects);
     // In the tool's own order, from behind the value on.
     for (const Option& option : m_options)
         m_row->removeWidget(option.widget);
