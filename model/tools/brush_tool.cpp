@@ -16,9 +16,10 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr ToolOption kPressureSize{.key = "pressure_size",
-                                   .label = QT_TRANSLATE_NOOP("ToolOptions", "Pen pressure changes the size"),
-                                   .kind = ToolSwitch{.field = &ToolSettings::pressureSize, .icon = "pressure-size"}};
+constexpr ToolOption kPressureSize{
+    .key = "pressure_size",
+    .label = QT_TRANSLATE_NOOP("ToolOptions", "Pen pressure changes the size"),
+    .kind = ToolSwitch{.field = &ToolSettings::pressureSize, .icon = "pressure-size", .standard = true}};
 constexpr ToolOption kPressureOpacity{
     .key = "pressure_opacity",
     .label = QT_TRANSLATE_NOOP("ToolOptions", "Pen pressure changes the opacity"),

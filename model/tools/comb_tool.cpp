@@ -25,12 +25,11 @@ namespace {
 
 constexpr std::array kCombKinds{
     ToolChoice::Item{.icon = "comb", .title = QT_TRANSLATE_NOOP("ToolOptions", "Comb along the stroke")},
-    ToolChoice::Item{
-        .icon = "comb-lift",
-        .title = QT_TRANSLATE_NOOP("ToolOptions", "Lift or lay, the way hair lies"),
-        .step = QT_TRANSLATE_NOOP("Tool", "Lift hair"),
-        .hint = QT_TRANSLATE_NOOP("Tool",
-                                  "Drag over hair to lift it, with a Lift below zero to lay it; its direction stays")},
+    ToolChoice::Item{.icon = "comb-lift",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Lift or lay, the way hair lies"),
+                     .step = QT_TRANSLATE_NOOP("Tool", "Lift hair"),
+                     .hint = QT_TRANSLATE_NOOP(
+                         "Tool", "Drag over hair to lift it, with a Lift below zero to lay it; its direction stays")},
     ToolChoice::Item{.icon = "comb-smooth",
                      .title = QT_TRANSLATE_NOOP("ToolOptions", "Smooth"),
                      .step = QT_TRANSLATE_NOOP("Tool", "Comb hair smooth"),
@@ -39,12 +38,11 @@ constexpr std::array kCombKinds{
                      .title = QT_TRANSLATE_NOOP("ToolOptions", "Ruffle"),
                      .step = QT_TRANSLATE_NOOP("Tool", "Ruffle hair"),
                      .hint = QT_TRANSLATE_NOOP("Tool", "Drag over hair to ruffle it")},
-    ToolChoice::Item{
-        .icon = "comb-whorl",
-        .title = QT_TRANSLATE_NOOP("ToolOptions", "Whorl: a spiral around the pointer"),
-        .step = QT_TRANSLATE_NOOP("Tool", "Lay a whorl"),
-        .hint = QT_TRANSLATE_NOOP("Tool",
-                                  "Press where hair is to turn in a whorl as large as the ring; drag to move it")},
+    ToolChoice::Item{.icon = "comb-whorl",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Whorl: a spiral around the pointer"),
+                     .step = QT_TRANSLATE_NOOP("Tool", "Lay a whorl"),
+                     .hint = QT_TRANSLATE_NOOP(
+                         "Tool", "Press where hair is to turn in a whorl as large as the ring; drag to move it")},
     ToolChoice::Item{
         .icon = "comb-hold",
         .title = QT_TRANSLATE_NOOP("ToolOptions", "Hold as it lies now, with gel"),
@@ -73,12 +71,12 @@ constexpr ToolOption kLift{
     .label = QT_TRANSLATE_NOOP("ToolOptions", "Lift"),
     .hint =
         QT_TRANSLATE_NOOP("ToolOptions", "How far hair is raised from where it lies; below zero it is laid flatter"),
-    .kind = ToolNumber{.field = &ToolSettings::lift, .least = -100.0},
+    .kind = ToolNumber{.field = &ToolSettings::lift, .least = -100.0, .standard = 50.0},
     .isShown = [](const ToolSettings& settings) { return settings.comb == CombKind::Lift; }};
 constexpr ToolOption kHoldGel{.key = "hold_gel",
                               .label = QT_TRANSLATE_NOOP("ToolOptions", "Gel at least"),
                               .hint = QT_TRANSLATE_NOOP("ToolOptions", "The gel that keeps held hair as it lies"),
-                              .kind = ToolNumber{.field = &ToolSettings::holdGel},
+                              .kind = ToolNumber{.field = &ToolSettings::holdGel, .standard = 50.0},
                               .isShown = [](const ToolSettings& settings) { return settings.comb == CombKind::Hold; }};
 constexpr std::array kCombOptions{&kCombKind,     &kSizeOption, &kHardnessOption, &kOpacityOption,
                                   &kCombFlatness, &kLift,       &kHoldGel,        &kTouchOption};

@@ -16,17 +16,16 @@ constexpr std::array kFingerKinds{
     ToolChoice::Item{.icon = "finger-puff",
                      .title = QT_TRANSLATE_NOOP("ToolOptions", "Puff: lift hair off the skin"),
                      .step = QT_TRANSLATE_NOOP("Tool", "Puff hair")},
-    ToolChoice::Item{
-        .icon = "finger-pinch",
-        .title = QT_TRANSLATE_NOOP("ToolOptions", "Pinch: gather hair in a lock along the stroke"),
-        .step = QT_TRANSLATE_NOOP("Tool", "Pinch hair"),
-        .hint = QT_TRANSLATE_NOOP("Tool",
-                                  "Drag along hair to pinch it together in a lock; a click gathers it to a point")},
-    ToolChoice::Item{
-        .icon = "finger-spread",
-        .title = QT_TRANSLATE_NOOP("ToolOptions", "Spread: part hairs and locks from each other"),
-        .step = QT_TRANSLATE_NOOP("Tool", "Spread hair"),
-        .hint = QT_TRANSLATE_NOOP("Tool", "Drag along hair to spread it, away from the middle of the stroke")},
+    ToolChoice::Item{.icon = "finger-pinch",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Pinch: gather hair in a lock along the stroke"),
+                     .step = QT_TRANSLATE_NOOP("Tool", "Pinch hair"),
+                     .hint = QT_TRANSLATE_NOOP(
+                         "Tool", "Drag along hair to pinch it together in a lock; a click gathers it to a point")},
+    ToolChoice::Item{.icon = "finger-spread",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Spread: part hairs and locks from each other"),
+                     .step = QT_TRANSLATE_NOOP("Tool", "Spread hair"),
+                     .hint =
+                         QT_TRANSLATE_NOOP("Tool", "Drag along hair to spread it, away from the middle of the stroke")},
     ToolChoice::Item{
         .icon = "finger-smooth",
         .title = QT_TRANSLATE_NOOP("ToolOptions", "Smooth: even out how hair lies, is long and curls"),
@@ -43,7 +42,7 @@ constexpr ToolOption kFingerStrength{
     .key = "finger_strength",
     .label = QT_TRANSLATE_NOOP("ToolOptions", "Strength"),
     .hint = QT_TRANSLATE_NOOP("ToolOptions", "How much a stroke does; pen pressure makes it less, another stroke more"),
-    .kind = ToolNumber{.field = &ToolSettings::fingerStrength}};
+    .kind = ToolNumber{.field = &ToolSettings::fingerStrength, .standard = 50.0}};
 constexpr std::array kFingerOptions{&kFingerKind, &kSizeOption, &kHardnessOption, &kFingerStrength, &kTouchOption};
 
 constexpr float kLeastFingerPressure = 0.05F;

@@ -23,11 +23,11 @@ namespace {
 
 constexpr std::array kGrabKinds{
     ToolChoice::Item{.icon = "grab-hair", .title = QT_TRANSLATE_NOOP("ToolOptions", "Grab hair wherever it is seen")},
-    ToolChoice::Item{
-        .icon = "grab-guides",
-        .title = QT_TRANSLATE_NOOP("ToolOptions", "Bend single hairs by their nodes; the hair around follows"),
-        .hint = QT_TRANSLATE_NOOP(
-            "Tool", "Point at hair, and drag a node of the hairs that are shown; they keep their length")},
+    ToolChoice::Item{.icon = "grab-guides",
+                     .title =
+                         QT_TRANSLATE_NOOP("ToolOptions", "Bend single hairs by their nodes; the hair around follows"),
+                     .hint = QT_TRANSLATE_NOOP(
+                         "Tool", "Point at hair, and drag a node of the hairs that are shown; they keep their length")},
 };
 constexpr ToolOption kGrabKind{
     .key = "grab",
@@ -40,7 +40,7 @@ constexpr ToolOption kGrabGel{
     .label = QT_TRANSLATE_NOOP("ToolOptions", "Gel at least"),
     .hint =
         QT_TRANSLATE_NOOP("ToolOptions", "The gel that keeps hair where it was pulled; long hair falls back without"),
-    .kind = ToolNumber{.field = &ToolSettings::grabGel}};
+    .kind = ToolNumber{.field = &ToolSettings::grabGel, .standard = 30.0}};
 constexpr std::array kGrabOptions{&kGrabKind, &kSizeOption, &kHardnessOption, &kOpacityOption, &kGrabGel};
 
 constexpr float kStillM = 0.001F;                  ///< A pointer that moved less has not moved.

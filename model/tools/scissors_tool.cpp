@@ -24,17 +24,16 @@ namespace {
 
 constexpr const char* kCutStep = QT_TRANSLATE_NOOP("Tool", "Cut hair");
 constexpr std::array kCutKinds{
-    ToolChoice::Item{.icon = "cut-line",
-                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Cut along a straight line"),
-                     .step = kCutStep},
+    ToolChoice::Item{
+        .icon = "cut-line", .title = QT_TRANSLATE_NOOP("ToolOptions", "Cut along a straight line"), .step = kCutStep},
     ToolChoice::Item{.icon = "cut-freehand",
                      .title = QT_TRANSLATE_NOOP("ToolOptions", "Cut along the line as it is drawn"),
                      .step = kCutStep},
-    ToolChoice::Item{
-        .icon = "cut-lasso",
-        .title = QT_TRANSLATE_NOOP("ToolOptions", "Cut off what is inside"),
-        .step = kCutStep,
-        .hint = QT_TRANSLATE_NOOP("Tool", "Draw around hair in the 3D area: what is inside falls; Esc leaves no trace")},
+    ToolChoice::Item{.icon = "cut-lasso",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Cut off what is inside"),
+                     .step = kCutStep,
+                     .hint = QT_TRANSLATE_NOOP(
+                         "Tool", "Draw around hair in the 3D area: what is inside falls; Esc leaves no trace")},
 };
 constexpr ToolOption kCutKind{
     .key = "cut",
@@ -49,7 +48,7 @@ constexpr ToolOption kCutFraction{
     .key = "cut_fraction",
     .label = QT_TRANSLATE_NOOP("ToolOptions", "Hairs cut"),
     .hint = QT_TRANSLATE_NOOP("ToolOptions", "Of the hairs that are crossed; fewer thin the ends out"),
-    .kind = ToolNumber{.field = &ToolSettings::cutFraction, .least = 1.0}};
+    .kind = ToolNumber{.field = &ToolSettings::cutFraction, .least = 1.0, .standard = 100.0}};
 constexpr ToolOption kCutRagged{
     .key = "cut_ragged",
     .label = QT_TRANSLATE_NOOP("ToolOptions", "Ragged"),

@@ -29,6 +29,17 @@ double optionOf(const ToolSettings& settings, const ToolOption& option)
     return 0.0;
 }
 
+double standardOf(const ToolOption& option)
+{
+    if (const auto* number = std::get_if<ToolNumber>(&option.kind))
+        return number->standard / number->shownPerSi();
+    if (const auto* one = std::get_if<ToolSwitch>(&option.kind))
+        return one->standard ? 1.0 : 0.0;
+    if (const auto* choice = std::get_if<ToolChoice>(&option.kind))
+        return choice->standard;
+    return 0.0;
+}
+
 void putOption(ToolSettings& settings, const ToolOption& option, double value)
 {
     if (!std::isfinite(value))

@@ -169,7 +169,7 @@ void OptionBar::build(Option& option, const model::ToolNumber& number)
     slider->setRange(number.least, number.greatest, number.decimals);
     slider->setExponent(number.exponent);
     slider->setUnit(unitText(number.unit));
-    slider->setDefaultValue(optionOf(ToolSettings{}, *option.row) * number.shownPerSi());
+    slider->setDefaultValue(number.standard);
     slider->setPreferredWidth(kSliderWidth);
     if (*option.row->hint != '\0')
         slider->setHint(option.row->hintText());
