@@ -18,6 +18,19 @@ double ToolNumber::shownPerSi() const
     return 1.0;
 }
 
+QString ToolNumber::unitText() const
+{
+    switch (unit) {
+    case Unit::Percent:
+        break;
+    case Unit::Centimetres:
+        return QCoreApplication::translate("ToolOptions", "cm");
+    case Unit::Millimetres:
+        return QCoreApplication::translate("ToolOptions", "mm");
+    }
+    return QStringLiteral("%");
+}
+
 double optionOf(const ToolSettings& settings, const ToolOption& option)
 {
     if (const auto* number = std::get_if<ToolNumber>(&option.kind))

@@ -34,6 +34,7 @@ struct ToolNumber
     int decimals = 0;
     double exponent = 1.0; ///< Above 1 a slider gives low values more room.
     [[nodiscard]] double shownPerSi() const;
+    [[nodiscard]] QString unitText() const; ///< "cm", translated.
 };
 
 struct ToolSwitch
@@ -92,7 +93,10 @@ void putOption(ToolSettings& settings, const ToolOption& option, double value);
 
 // Rows of more than one tool.
 
-inline constexpr ToolOption kValueOption{.key = "value", .kind = ToolValue{}};
+inline constexpr ToolOption kValueOption{.key = "value",
+                                         .label = QT_TRANSLATE_NOOP("ToolOptions", "Value"),
+                                         .hint = QT_TRANSLATE_NOOP("ToolOptions", "What is painted on the active map"),
+                                         .kind = ToolValue{}};
 inline constexpr ToolOption kSizeOption{.key = "size",
                                         .label = QT_TRANSLATE_NOOP("ToolOptions", "Size"),
                                         .kind = ToolNumber{.field = &ToolSettings::brushSizeM,
