@@ -3536,6 +3536,22 @@
         <source>Point at hair, and drag a node of the hairs that are shown; they keep their length</source>
         <translation>Apunta al pelo y arrastra un nodo de los pelos que se muestran; conservan su largo</translation>
     </message>
+    <message>
+        <source>Lift hair</source>
+        <translation>Levantar el pelo</translation>
+    </message>
+    <message>
+        <source>Comb hair smooth</source>
+        <translation>Alisar el pelo con el peine</translation>
+    </message>
+    <message>
+        <source>Ruffle hair</source>
+        <translation>Despeinar el pelo</translation>
+    </message>
+    <message>
+        <source>Lay a whorl</source>
+        <translation>Trazar un remolino</translation>
+    </message>
 </context>
 <context>
     <name>ToolOptions</name>
@@ -3738,6 +3754,22 @@
     <message>
         <source>Bend single hairs by their nodes; the hair around follows</source>
         <translation>Doblar pelos sueltos por sus nodos; el pelo de alrededor los sigue</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>What is painted on the active map</source>
+        <translation>Lo que se pinta en el mapa activo</translation>
     </message>
 </context>
 <context>
@@ -6640,16 +6672,8 @@ Se ha perdido esto:</translation>
         <translation>Elige el valor en la paleta</translation>
     </message>
     <message>
-        <source>cm</source>
-        <translation>cm</translation>
-    </message>
-    <message>
         <source>Palette, %1</source>
         <translation>Paleta, %1</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
     </message>
 </context>
 <context>

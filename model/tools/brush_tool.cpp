@@ -16,9 +16,10 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr ToolOption kPressureSize{.key = "pressure_size",
-                                   .label = QT_TRANSLATE_NOOP("ToolOptions", "Pen pressure changes the size"),
-                                   .kind = ToolSwitch{.field = &ToolSettings::pressureSize, .icon = "pressure-size"}};
+constexpr ToolOption kPressureSize{
+    .key = "pressure_size",
+    .label = QT_TRANSLATE_NOOP("ToolOptions", "Pen pressure changes the size"),
+    .kind = ToolSwitch{.field = &ToolSettings::pressureSize, .icon = "pressure-size", .standard = true}};
 constexpr ToolOption kPressureOpacity{
     .key = "pressure_opacity",
     .label = QT_TRANSLATE_NOOP("ToolOptions", "Pen pressure changes the opacity"),
@@ -40,6 +41,7 @@ constexpr ToolTraits kBrush{
     .key = Qt::Key_B,
     .options = kBrushOptions,
     .hasRing = true,
+    .isFirst = true,
     .worksOnHair = [](const ToolSettings&) { return true; }};
 constexpr ToolTraits kEraser{
     .id = ToolId::Eraser,
@@ -50,6 +52,7 @@ constexpr ToolTraits kEraser{
     .key = Qt::Key_E,
     .options = ToolOptions(kBrushOptions).subspan(1),
     .hasRing = true,
+    .erases = true,
     .worksOnHair = [](const ToolSettings&) { return true; }};
 
 class BrushTool : public Tool

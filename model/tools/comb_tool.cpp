@@ -4,6 +4,7 @@
 #include "model/tools/comb_field.h"
 #include "model/tools/evened_hair.h"
 #include "model/tools/fallen_hair.h"
+#include "model/tools/hold.h"
 #include "model/tools/hold_stroke.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/picker_tool.h"
@@ -23,12 +24,30 @@ namespace hairpaint::model {
 namespace {
 
 constexpr std::array kCombKinds{
-    ToolChoice::Item{"comb", QT_TRANSLATE_NOOP("ToolOptions", "Comb along the stroke")},
-    ToolChoice::Item{"comb-lift", QT_TRANSLATE_NOOP("ToolOptions", "Lift or lay, the way hair lies")},
-    ToolChoice::Item{"comb-smooth", QT_TRANSLATE_NOOP("ToolOptions", "Smooth")},
-    ToolChoice::Item{"comb-noise", QT_TRANSLATE_NOOP("ToolOptions", "Ruffle")},
-    ToolChoice::Item{"comb-whorl", QT_TRANSLATE_NOOP("ToolOptions", "Whorl: a spiral around the pointer")},
-    ToolChoice::Item{"comb-hold", QT_TRANSLATE_NOOP("ToolOptions", "Hold as it lies now, with gel")},
+    ToolChoice::Item{.icon = "comb", .title = QT_TRANSLATE_NOOP("ToolOptions", "Comb along the stroke")},
+    ToolChoice::Item{.icon = "comb-lift",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Lift or lay, the way hair lies"),
+                     .step = QT_TRANSLATE_NOOP("Tool", "Lift hair"),
+                     .hint = QT_TRANSLATE_NOOP(
+                         "Tool", "Drag over hair to lift it, with a Lift below zero to lay it; its direction stays")},
+    ToolChoice::Item{.icon = "comb-smooth",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Smooth"),
+                     .step = QT_TRANSLATE_NOOP("Tool", "Comb hair smooth"),
+                     .hint = QT_TRANSLATE_NOOP("Tool", "Drag over hair to lay it as its neighbours lie")},
+    ToolChoice::Item{.icon = "comb-noise",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Ruffle"),
+                     .step = QT_TRANSLATE_NOOP("Tool", "Ruffle hair"),
+                     .hint = QT_TRANSLATE_NOOP("Tool", "Drag over hair to ruffle it")},
+    ToolChoice::Item{.icon = "comb-whorl",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Whorl: a spiral around the pointer"),
+                     .step = QT_TRANSLATE_NOOP("Tool", "Lay a whorl"),
+                     .hint = QT_TRANSLATE_NOOP(
+                         "Tool", "Press where hair is to turn in a whorl as large as the ring; drag to move it")},
+    ToolChoice::Item{
+        .icon = "comb-hold",
+        .title = QT_TRANSLATE_NOOP("ToolOptions", "Hold as it lies now, with gel"),
+        .step = kHoldStep,
+        .hint = QT_TRANSLATE_NOOP("Tool", "Drag over hair to hold it as it lies now, with at least that much gel")},
 };
 constexpr ToolOption kCombKind{
     .key = "comb",
@@ -52,12 +71,12 @@ constexpr ToolOption kLift{
     .label = QT_TRANSLATE_NOOP("ToolOptions", "Lift"),
     .hint =
         QT_TRANSLATE_NOOP("ToolOptions", "How far hair is raised from where it lies; below zero it is laid flatter"),
-    .kind = ToolNumber{.field = &ToolSettings::lift, .least = -100.0},
+    .kind = ToolNumber{.field = &ToolSettings::lift, .least = -100.0, .standard = 50.0},
     .isShown = [](const ToolSettings& settings) { return settings.comb == CombKind::Lift; }};
 constexpr ToolOption kHoldGel{.key = "hold_gel",
                               .label = QT_TRANSLATE_NOOP("ToolOptions", "Gel at least"),
                               .hint = QT_TRANSLATE_NOOP("ToolOptions", "The gel that keeps held hair as it lies"),
-                              .kind = ToolNumber{.field = &ToolSettings::holdGel},
+                              .kind = ToolNumber{.field = &ToolSettings::holdGel, .standard = 50.0},
                               .isShown = [](const ToolSettings& settings) { return settings.comb == CombKind::Hold; }};
 constexpr std::array kCombOptions{&kCombKind,     &kSizeOption, &kHardnessOption, &kOpacityOption,
                                   &kCombFlatness, &kLift,       &kHoldGel,        &kTouchOption};
@@ -88,10 +107,8 @@ constexpr ToolTraits kComb{
 
 class CombTool : public Tool
 {
-    Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
     [[nodiscard]] const ToolTraits& traits() const override { return kComb; }
-    [[nodiscard]] QString hintFor(const ToolSettings& settings) const override;
 
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override
@@ -149,25 +166,6 @@ private:
     std::uint16_t m_opacity = 65535;
 };
 
-QString CombTool::hintFor(const ToolSettings& settings) const
-{
-    switch (settings.comb) {
-    case CombKind::Lay:
-        break;
-    case CombKind::Lift:
-        return tr("Drag over hair to lift it, with a Lift below zero to lay it; its direction stays");
-    case CombKind::Smooth:
-        return tr("Drag over hair to lay it as its neighbours lie");
-    case CombKind::Noise:
-        return tr("Drag over hair to ruffle it");
-    case CombKind::Whorl:
-        return tr("Press where hair is to turn in a whorl as large as the ring; drag to move it");
-    case CombKind::Hold:
-        return tr("Drag over hair to hold it as it lies now, with at least that much gel");
-    }
-    return hint();
-}
-
 void CombTool::press(const ToolEvent& event, ToolContext& context)
 {
     if (picksInstead(event, context))
@@ -176,12 +174,13 @@ void CombTool::press(const ToolEvent& event, ToolContext& context)
     if (head == nullptr || active())
         return;
     if (context.settings.comb == CombKind::Hold) {
-        if (m_hold.begin(context))
+        if (m_hold.begin(context, stepFor(context.settings)))
             m_hold.moveTo(event, context);
         return;
     }
     if (!m_edit.begin(context, title()))
         return;
+    m_edit.setText(stepFor(context.settings));
     m_stroke.look(*head);
     m_before.emplace(context, *m_stroke.frames, m_edit.size());
     m_masks.emplace(m_edit.size());

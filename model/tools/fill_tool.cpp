@@ -18,7 +18,7 @@ namespace {
 
 constexpr ToolOption kTolerance{.key = "fill_tolerance",
                                 .label = QT_TRANSLATE_NOOP("ToolOptions", "Tolerance"),
-                                .kind = ToolNumber{.field = &ToolSettings::fillTolerance}};
+                                .kind = ToolNumber{.field = &ToolSettings::fillTolerance, .standard = 5.0}};
 constexpr std::array kFillOptions{&kValueOption, &kTolerance, &kOpacityOption};
 
 constexpr int kBleedTx = 4;

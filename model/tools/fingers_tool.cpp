@@ -13,11 +13,24 @@ namespace hairpaint::model {
 namespace {
 
 constexpr std::array kFingerKinds{
-    ToolChoice::Item{"finger-puff", QT_TRANSLATE_NOOP("ToolOptions", "Puff: lift hair off the skin")},
-    ToolChoice::Item{"finger-pinch", QT_TRANSLATE_NOOP("ToolOptions", "Pinch: gather hair in a lock along the stroke")},
-    ToolChoice::Item{"finger-spread", QT_TRANSLATE_NOOP("ToolOptions", "Spread: part hairs and locks from each other")},
-    ToolChoice::Item{"finger-smooth",
-                     QT_TRANSLATE_NOOP("ToolOptions", "Smooth: even out how hair lies, is long and curls")},
+    ToolChoice::Item{.icon = "finger-puff",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Puff: lift hair off the skin"),
+                     .step = QT_TRANSLATE_NOOP("Tool", "Puff hair")},
+    ToolChoice::Item{.icon = "finger-pinch",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Pinch: gather hair in a lock along the stroke"),
+                     .step = QT_TRANSLATE_NOOP("Tool", "Pinch hair"),
+                     .hint = QT_TRANSLATE_NOOP(
+                         "Tool", "Drag along hair to pinch it together in a lock; a click gathers it to a point")},
+    ToolChoice::Item{.icon = "finger-spread",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Spread: part hairs and locks from each other"),
+                     .step = QT_TRANSLATE_NOOP("Tool", "Spread hair"),
+                     .hint =
+                         QT_TRANSLATE_NOOP("Tool", "Drag along hair to spread it, away from the middle of the stroke")},
+    ToolChoice::Item{
+        .icon = "finger-smooth",
+        .title = QT_TRANSLATE_NOOP("ToolOptions", "Smooth: even out how hair lies, is long and curls"),
+        .step = QT_TRANSLATE_NOOP("Tool", "Smooth hair"),
+        .hint = QT_TRANSLATE_NOOP("Tool", "Drag over hair to make its direction, length, curl and frizz more even")},
 };
 constexpr ToolOption kFingerKind{
     .key = "fingers",
@@ -29,7 +42,7 @@ constexpr ToolOption kFingerStrength{
     .key = "finger_strength",
     .label = QT_TRANSLATE_NOOP("ToolOptions", "Strength"),
     .hint = QT_TRANSLATE_NOOP("ToolOptions", "How much a stroke does; pen pressure makes it less, another stroke more"),
-    .kind = ToolNumber{.field = &ToolSettings::fingerStrength}};
+    .kind = ToolNumber{.field = &ToolSettings::fingerStrength, .standard = 50.0}};
 constexpr std::array kFingerOptions{&kFingerKind, &kSizeOption, &kHardnessOption, &kFingerStrength, &kTouchOption};
 
 constexpr float kLeastFingerPressure = 0.05F;
@@ -62,10 +75,8 @@ constexpr ToolTraits kFingers{
 
 class FingersTool : public Tool
 {
-    Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
     [[nodiscard]] const ToolTraits& traits() const override { return kFingers; }
-    [[nodiscard]] QString hintFor(const ToolSettings& settings) const override;
 
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override
@@ -87,7 +98,6 @@ public:
     [[nodiscard]] bool active() const override { return m_maps.active(); }
 
 private:
-    [[nodiscard]] static QString stepText(FingerKind kind);
     void goTo(const ToolEvent& event, ToolContext& context);
     void overSkin(const BrushSample& sample, const ToolContext& context);
     void overHair(const ToolEvent& event, const ToolContext& context);
@@ -98,36 +108,6 @@ private:
     float m_pressure = 1.0F;
 };
 
-QString FingersTool::hintFor(const ToolSettings& settings) const
-{
-    switch (settings.fingers) {
-    case FingerKind::Puff:
-        break;
-    case FingerKind::Pinch:
-        return tr("Drag along hair to pinch it together in a lock; a click gathers it to a point");
-    case FingerKind::Spread:
-        return tr("Drag along hair to spread it, away from the middle of the stroke");
-    case FingerKind::Smooth:
-        return tr("Drag over hair to make its direction, length, curl and frizz more even");
-    }
-    return hint();
-}
-
-QString FingersTool::stepText(FingerKind kind)
-{
-    switch (kind) {
-    case FingerKind::Puff:
-        break;
-    case FingerKind::Pinch:
-        return tr("Pinch hair");
-    case FingerKind::Spread:
-        return tr("Spread hair");
-    case FingerKind::Smooth:
-        return tr("Smooth hair");
-    }
-    return tr("Puff hair");
-}
-
 void FingersTool::press(const ToolEvent& event, ToolContext& context)
 {
     if (picksInstead(event, context))
@@ -136,7 +116,7 @@ void FingersTool::press(const ToolEvent& event, ToolContext& context)
     if (head == nullptr || active())
         return;
     m_stroke.look(*head);
-    if (!m_maps.begin(context, stepText(context.settings.fingers), *m_stroke.frames))
+    if (!m_maps.begin(context, stepFor(context.settings), *m_stroke.frames))
         return;
     m_stroke.begin(*head, context, m_maps.size());
     m_lastHd.reset();

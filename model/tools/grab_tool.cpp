@@ -22,9 +22,12 @@ namespace hairpaint::model {
 namespace {
 
 constexpr std::array kGrabKinds{
-    ToolChoice::Item{"grab-hair", QT_TRANSLATE_NOOP("ToolOptions", "Grab hair wherever it is seen")},
-    ToolChoice::Item{"grab-guides",
-                     QT_TRANSLATE_NOOP("ToolOptions", "Bend single hairs by their nodes; the hair around follows")},
+    ToolChoice::Item{.icon = "grab-hair", .title = QT_TRANSLATE_NOOP("ToolOptions", "Grab hair wherever it is seen")},
+    ToolChoice::Item{.icon = "grab-guides",
+                     .title =
+                         QT_TRANSLATE_NOOP("ToolOptions", "Bend single hairs by their nodes; the hair around follows"),
+                     .hint = QT_TRANSLATE_NOOP(
+                         "Tool", "Point at hair, and drag a node of the hairs that are shown; they keep their length")},
 };
 constexpr ToolOption kGrabKind{
     .key = "grab",
@@ -37,7 +40,7 @@ constexpr ToolOption kGrabGel{
     .label = QT_TRANSLATE_NOOP("ToolOptions", "Gel at least"),
     .hint =
         QT_TRANSLATE_NOOP("ToolOptions", "The gel that keeps hair where it was pulled; long hair falls back without"),
-    .kind = ToolNumber{.field = &ToolSettings::grabGel}};
+    .kind = ToolNumber{.field = &ToolSettings::grabGel, .standard = 30.0}};
 constexpr std::array kGrabOptions{&kGrabKind, &kSizeOption, &kHardnessOption, &kOpacityOption, &kGrabGel};
 
 constexpr float kStillM = 0.001F;                  ///< A pointer that moved less has not moved.
@@ -75,18 +78,10 @@ constexpr ToolTraits kGrab{
 
 class GrabTool : public Tool, private HairHandler
 {
-    Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
     [[nodiscard]] const ToolTraits& traits() const override { return kGrab; }
 
-    [[nodiscard]] QString hintFor(const ToolSettings& settings) const override
-    {
-        return settings.grab == GrabKind::Guides
-                   ? tr("Point at hair, and drag a node of the hairs that are shown; they keep their length")
-                   : hint();
-    }
     [[nodiscard]] HairHandler* hairHandler() override { return this; }
-    [[nodiscard]] std::vector<GuideStrand> guides() const override { return m_guides; }
 
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override
@@ -133,6 +128,7 @@ private:
         moveHair(event, context);
         commit(context);
     }
+    [[nodiscard]] std::vector<GuideStrand> guides() const override { return m_guides; }
 
     /// `hair`: on the skin itself, 0 along, in the paint area.
     void take(const GrabbedHair& hair, ToolContext& context);

@@ -130,7 +130,7 @@ std::optional<std::vector<LayerEdit>> holdHair(const LyingField& field, const Ho
 
 QString holdStepText()
 {
-    return QCoreApplication::translate("Tool", "Hold as it lies");
+    return QCoreApplication::translate("Tool", kHoldStep);
 }
 
 } // namespace hairpaint::model

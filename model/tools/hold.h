@@ -42,7 +42,8 @@ struct HoldRequest
 /// texels a side.
 [[nodiscard]] std::optional<std::vector<LayerEdit>> holdHair(const LyingField& field, const HoldRequest& request,
                                                              const Progress& progress = {});
-/// What undo says of it.
+/// What undo says of it; to be translated in context "Tool".
+inline constexpr const char* kHoldStep = QT_TRANSLATE_NOOP("Tool", "Hold as it lies");
 [[nodiscard]] QString holdStepText();
 
 } // namespace hairpaint::model

@@ -17,7 +17,7 @@ constexpr std::size_t kFurtherHairs = 1000; ///< Looking up so many takes less t
 
 } // namespace
 
-bool HoldStroke::begin(const ToolContext& context)
+bool HoldStroke::begin(const ToolContext& context, const QString& step)
 {
     const Head* head = context.document.project().head.get();
     if (context.hair == nullptr || head == nullptr || head->skin == nullptr)
@@ -31,7 +31,7 @@ bool HoldStroke::begin(const ToolContext& context)
     std::shared_ptr<const sim::TiledRaster> shownGel = context.document.resolvedNow(context.target.group, MapKind::Gel);
     if (hairs.empty() || !m_edit.begin(context, {}))
         return false;
-    m_edit.setText(holdStepText());
+    m_edit.setText(step);
     m_gel = m_edit.also(context, context.layer(MapKind::Gel));
     m_field.emplace(hairs, hairsFurtherOn(*group, context.hair->pose, head->distances.get(), kFurtherHairs));
     m_shownGel = std::move(shownGel);

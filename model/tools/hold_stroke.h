@@ -14,7 +14,7 @@ class HoldStroke
 {
 public:
     /// False where there is no hair, or no layer that can be painted on.
-    [[nodiscard]] bool begin(const ToolContext& context);
+    [[nodiscard]] bool begin(const ToolContext& context, const QString& step);
     void moveTo(const ToolEvent& event, const ToolContext& context);
     void cancel();
     void commit();

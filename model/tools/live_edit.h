@@ -20,7 +20,12 @@ public:
     /// Takes another layer into the running edit and returns its number; none where it is missing, hidden or locked.
     /// The target's number is 0.
     [[nodiscard]] std::optional<std::size_t> also(const ToolContext& context, const LayerAddress& address);
-    void setText(const QString& text) { m_session.setText(text); } ///< What the step will be called instead.
+    /// What the step will be called instead; empty: as it is.
+    void setText(const QString& text)
+    {
+        if (!text.isEmpty())
+            m_session.setText(text);
+    }
     [[nodiscard]] bool active() const { return m_session.active(); }
     [[nodiscard]] const MapSpec& spec(std::size_t layer = 0) const { return mapSpec(m_layers[layer].address.map); }
     [[nodiscard]] int size(std::size_t layer = 0) const { return before(layer).size(); }

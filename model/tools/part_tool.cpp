@@ -18,6 +18,7 @@ constexpr ToolOption kReach{.key = "part_reach",
                                                .unit = ToolNumber::Unit::Centimetres,
                                                .least = 1.0,
                                                .greatest = 20.0,
+                                               .standard = 10.0,
                                                .decimals = 1}};
 constexpr ToolOption kPartFlatness{
     .key = "flatness", .label = kFlatnessLabel, .hint = kFlatnessHint, .kind = kFlatness};
@@ -28,6 +29,7 @@ constexpr ToolOption kGap{.key = "part_gap",
                           .kind = ToolNumber{.field = &ToolSettings::partGapM,
                                              .unit = ToolNumber::Unit::Millimetres,
                                              .greatest = 10.0,
+                                             .standard = 1.0,
                                              .decimals = 1,
                                              .exponent = 2.0}};
 constexpr ToolOption kZigzag{

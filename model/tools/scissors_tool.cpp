@@ -22,10 +22,18 @@ namespace hairpaint::model {
 
 namespace {
 
+constexpr const char* kCutStep = QT_TRANSLATE_NOOP("Tool", "Cut hair");
 constexpr std::array kCutKinds{
-    ToolChoice::Item{"cut-line", QT_TRANSLATE_NOOP("ToolOptions", "Cut along a straight line")},
-    ToolChoice::Item{"cut-freehand", QT_TRANSLATE_NOOP("ToolOptions", "Cut along the line as it is drawn")},
-    ToolChoice::Item{"cut-lasso", QT_TRANSLATE_NOOP("ToolOptions", "Cut off what is inside")},
+    ToolChoice::Item{
+        .icon = "cut-line", .title = QT_TRANSLATE_NOOP("ToolOptions", "Cut along a straight line"), .step = kCutStep},
+    ToolChoice::Item{.icon = "cut-freehand",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Cut along the line as it is drawn"),
+                     .step = kCutStep},
+    ToolChoice::Item{.icon = "cut-lasso",
+                     .title = QT_TRANSLATE_NOOP("ToolOptions", "Cut off what is inside"),
+                     .step = kCutStep,
+                     .hint = QT_TRANSLATE_NOOP(
+                         "Tool", "Draw around hair in the 3D area: what is inside falls; Esc leaves no trace")},
 };
 constexpr ToolOption kCutKind{
     .key = "cut",
@@ -40,7 +48,7 @@ constexpr ToolOption kCutFraction{
     .key = "cut_fraction",
     .label = QT_TRANSLATE_NOOP("ToolOptions", "Hairs cut"),
     .hint = QT_TRANSLATE_NOOP("ToolOptions", "Of the hairs that are crossed; fewer thin the ends out"),
-    .kind = ToolNumber{.field = &ToolSettings::cutFraction, .least = 1.0}};
+    .kind = ToolNumber{.field = &ToolSettings::cutFraction, .least = 1.0, .standard = 100.0}};
 constexpr ToolOption kCutRagged{
     .key = "cut_ragged",
     .label = QT_TRANSLATE_NOOP("ToolOptions", "Ragged"),
@@ -81,22 +89,9 @@ QPointF constrained(QPointF from, QPointF to)
 /// The hair is cut as it was seen when the line began, wherever it moves meanwhile.
 class ScissorsTool : public Tool, private PictureHandler
 {
-    Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
     [[nodiscard]] const ToolTraits& traits() const override { return kScissors; }
-    [[nodiscard]] QString hintFor(const ToolSettings& settings) const override
-    {
-        return settings.cut == CutKind::Lasso
-                   ? tr("Draw around hair in the 3D area: what is inside falls; Esc leaves no trace")
-                   : hint();
-    }
     [[nodiscard]] PictureHandler* pictureHandler() override { return this; }
-    [[nodiscard]] PictureLine pictureLine() const override
-    {
-        return active() ? PictureLine{.line = m_line, .closed = m_kind == CutKind::Lasso} : PictureLine{};
-    }
-
-    [[nodiscard]] std::vector<CutPiece> takeCutOff() override { return std::exchange(m_cutOff, {}); }
 
     // On the skin, and in the paint area, there is nothing to cut.
     void press(const ToolEvent& event, ToolContext& context) override { (void)picksInstead(event, context); }
@@ -128,6 +123,11 @@ private:
         movePicture(event, context);
         commit(context);
     }
+    [[nodiscard]] PictureLine pictureLine() const override
+    {
+        return active() ? PictureLine{.line = m_line, .closed = m_kind == CutKind::Lasso} : PictureLine{};
+    }
+    [[nodiscard]] std::vector<CutPiece> takeCutOff() override { return std::exchange(m_cutOff, {}); }
 
     void draw(const PictureEvent& event);
     [[nodiscard]] std::vector<StrandCut> cuts(const ToolSettings& settings) const;
@@ -156,7 +156,7 @@ void ScissorsTool::pressPicture(const PictureEvent& event, ToolContext& context)
     sim::MapRaster length = context.document.resolvedNow(context.target.group, MapKind::Length);
     if (!m_edit.begin(context, title()))
         return;
-    m_edit.setText(tr("Cut hair"));
+    m_edit.setText(stepFor(context.settings));
     m_kind = context.settings.cut;
     m_line = {event.position};
     m_seen = context.seen->held();

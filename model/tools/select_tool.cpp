@@ -20,7 +20,8 @@ constexpr ToolTraits kSelect{
     .hint = QT_TRANSLATE_NOOP(
         "Tool", "Drag a rectangle, Shift adds to the selection or makes a square; click to select nothing"),
     .key = Qt::Key_M,
-    .paints = false};
+    .paints = false,
+    .selects = true};
 
 class SelectTool : public Tool
 {

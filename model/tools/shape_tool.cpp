@@ -25,7 +25,8 @@ constexpr ToolOption kShapeKind{
     .kind =
         ToolChoice{.entries = kShapeKinds,
                    .read = [](const ToolSettings& settings) { return static_cast<int>(settings.shape); },
-                   .write = [](ToolSettings& settings, int index) { settings.shape = static_cast<ShapeKind>(index); }}};
+                   .write = [](ToolSettings& settings, int index) { settings.shape = static_cast<ShapeKind>(index); },
+                   .standard = static_cast<int>(ShapeKind::Ellipse)}};
 constexpr std::array kShapeOptions{&kValueOption, &kShapeKind, &kOpacityOption};
 
 constexpr int kEllipseCorners = 128;

@@ -1,9 +1,32 @@
 // What tools have in common.
 #include "model/tools/tool.h"
 
-#include "model/tools/cut_pieces.h"
-
 namespace hairpaint::model {
+
+namespace {
+
+/// Of the tool's first choice that says anything.
+QString saidByChoice(const Tool& tool, const ToolSettings& settings, const char* ToolChoice::Item::*words)
+{
+    for (const ToolOption* option : tool.options())
+        if (const auto* choice = std::get_if<ToolChoice>(&option->kind))
+            if (const char* said = choice->chosen(settings).*words; *said != '\0')
+                return Tool::tr(said);
+    return {};
+}
+
+} // namespace
+
+QString Tool::hintFor(const ToolSettings& settings) const
+{
+    const QString said = saidByChoice(*this, settings, &ToolChoice::Item::hint);
+    return said.isEmpty() ? hint() : said;
+}
+
+QString Tool::stepFor(const ToolSettings& settings) const
+{
+    return saidByChoice(*this, settings, &ToolChoice::Item::step);
+}
 
 LayerAddress ToolContext::layer(MapKind map) const
 {
@@ -16,11 +39,6 @@ LayerAddress ToolContext::layer(MapKind map) const
              group != nullptr && !group->map(map).layers.empty())
         address.layer = group->map(map).layers.back().id;
     return address;
-}
-
-std::vector<CutPiece> Tool::takeCutOff()
-{
-    return {};
 }
 
 } // namespace hairpaint::model

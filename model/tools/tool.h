@@ -123,7 +123,7 @@ struct ToolContext
 /// What a tool is, whatever it does just now: its row.
 struct ToolTraits
 {
-    ToolId id = ToolId::Brush;
+    ToolId id{};
     const char* name = "";    ///< "brush": of its icon and in the names of its keys.
     const char* title = "";   ///< To be translated in context "Tool", as are the next two.
     const char* purpose = ""; ///< What it is for, a sentence.
@@ -132,6 +132,9 @@ struct ToolTraits
     ToolOptions options = {}; ///< What the option bar shows for it.
     bool hasRing = false;     ///< The cursor is a brush ring, and Ctrl+click takes the value there.
     bool paints = true;       ///< Needs a layer that can be painted on.
+    bool isFirst = false;     ///< In hand until another is chosen: one of all.
+    bool erases = false;      ///< Lays bare what lies below: one of all, which a pen's other end is. Its key goes back.
+    bool selects = false;     ///< What it draws is the selection, which the option bar then has more to do with.
     /// The map that it works on, whichever is active: choosing the tool, or pressing with it, makes that the active
     /// one.
     std::optional<MapKind> map = {};
@@ -166,9 +169,12 @@ public:
     virtual void releaseHair(const HairEvent& event, ToolContext& context) = 0;
     /// The pointer moves over hair, or beside it, with no button down.
     virtual void hoverHair(const std::optional<GrabbedHair>& /*hair*/, ToolContext& /*context*/) {}
+    /// Hairs that it offers, to be bent by their nodes.
+    [[nodiscard]] virtual std::vector<GuideStrand> guides() const = 0;
 };
 
-/// Of tools that in the 3D area draw over the picture, wherever they begin.
+/// Of tools that in the 3D area draw over the picture, wherever they begin: an interface of its own, since it has
+/// neither a point of the skin nor a hair to tell of and lasts while there is nothing under the pointer.
 class PictureHandler
 {
 public:
@@ -176,6 +182,10 @@ public:
     virtual void pressPicture(const PictureEvent& event, ToolContext& context) = 0;
     virtual void movePicture(const PictureEvent& event, ToolContext& context) = 0;
     virtual void releasePicture(const PictureEvent& event, ToolContext& context) = 0;
+    /// What it has drawn.
+    [[nodiscard]] virtual PictureLine pictureLine() const = 0;
+    /// What the last action has cut off; given once.
+    [[nodiscard]] virtual std::vector<CutPiece> takeCutOff() = 0;
 };
 
 /// A small state machine. Painting tools work in an edit session (LiveEdit): one press..release, or one pending shape,
@@ -204,19 +214,15 @@ public:
 
     /// What the status bar says the tool does next,
     [[nodiscard]] virtual QString hint() const { return tr(traits().hint); }
-    /// and with these settings.
-    [[nodiscard]] virtual QString hintFor(const ToolSettings& /*settings*/) const { return hint(); }
+    /// and with these settings: what the row of its choice says, where that says anything.
+    [[nodiscard]] QString hintFor(const ToolSettings& settings) const;
+    /// What undo calls what it does with these settings; empty where no row says, and the title will do.
+    [[nodiscard]] QString stepFor(const ToolSettings& settings) const;
 
     /// What takes hold of hair in the 3D area; null where the tool works on the skin there, too.
     [[nodiscard]] virtual HairHandler* hairHandler() { return nullptr; }
     /// What draws over the 3D area's picture; null where the tool works on the skin there, or on hair.
     [[nodiscard]] virtual PictureHandler* pictureHandler() { return nullptr; }
-    /// What it has drawn there.
-    [[nodiscard]] virtual PictureLine pictureLine() const { return {}; }
-    /// Hairs that it offers in the 3D area, to be bent by their nodes.
-    [[nodiscard]] virtual std::vector<GuideStrand> guides() const { return {}; }
-    /// What the last action has cut off; given once.
-    [[nodiscard]] virtual std::vector<CutPiece> takeCutOff();
     /// A key pressed while the tool is in use; false leaves it to others.
     virtual bool key(Qt::Key /*key*/, Qt::KeyboardModifiers /*modifiers*/, ToolContext& /*context*/) { return false; }
     /// The settings have changed: brings the running action up to date with them.

@@ -14,5 +14,7 @@ HAIRPAINT_TOOLS(HAIRPAINT_TOOL_MAKER)
 
 /// Every tool, in tool-bar order.
 [[nodiscard]] std::vector<std::unique_ptr<Tool>> makeTools();
+/// Their rows, each once.
+[[nodiscard]] ToolOptions toolOptions();
 
 } // namespace hairpaint::model

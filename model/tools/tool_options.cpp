@@ -18,6 +18,19 @@ double ToolNumber::shownPerSi() const
     return 1.0;
 }
 
+QString ToolNumber::unitText() const
+{
+    switch (unit) {
+    case Unit::Percent:
+        break;
+    case Unit::Centimetres:
+        return QCoreApplication::translate("ToolOptions", "cm");
+    case Unit::Millimetres:
+        return QCoreApplication::translate("ToolOptions", "mm");
+    }
+    return QStringLiteral("%");
+}
+
 double optionOf(const ToolSettings& settings, const ToolOption& option)
 {
     if (const auto* number = std::get_if<ToolNumber>(&option.kind))
@@ -26,6 +39,17 @@ double optionOf(const ToolSettings& settings, const ToolOption& option)
         return settings.*one->field ? 1.0 : 0.0;
     if (const auto* choice = std::get_if<ToolChoice>(&option.kind))
         return choice->read(settings);
+    return 0.0;
+}
+
+double standardOf(const ToolOption& option)
+{
+    if (const auto* number = std::get_if<ToolNumber>(&option.kind))
+        return number->standard / number->shownPerSi();
+    if (const auto* one = std::get_if<ToolSwitch>(&option.kind))
+        return one->standard ? 1.0 : 0.0;
+    if (const auto* choice = std::get_if<ToolChoice>(&option.kind))
+        return choice->standard;
     return 0.0;
 }
 

@@ -30,15 +30,18 @@ struct ToolNumber
     Unit unit = Unit::Percent;
     double least = 0.0; ///< In that unit,
     double greatest = 100.0;
+    double standard = 0.0; ///< Of new settings, in that unit too.
     int decimals = 0;
     double exponent = 1.0; ///< Above 1 a slider gives low values more room.
     [[nodiscard]] double shownPerSi() const;
+    [[nodiscard]] QString unitText() const; ///< "cm", translated.
 };
 
 struct ToolSwitch
 {
     bool ToolSettings::*field = nullptr;
     const char* icon = "";
+    bool standard = false; ///< Of new settings.
 };
 
 /// One of a few kinds.
@@ -47,12 +50,19 @@ struct ToolChoice
     struct Item
     {
         const char* icon;
-        const char* title; ///< To be translated in context "ToolOptions".
+        const char* title;     ///< To be translated in context "ToolOptions".
+        const char* step = ""; ///< What undo calls what is done with it, in context "Tool"; "": as the tool.
+        const char* hint = ""; ///< What the status bar says of it, in context "Tool"; "": as the tool.
         [[nodiscard]] QString titleText() const { return QCoreApplication::translate("ToolOptions", title); }
     };
     std::span<const Item> entries;
     int (*read)(const ToolSettings& settings) = nullptr;
     void (*write)(ToolSettings& settings, int index) = nullptr;
+    int standard = 0; ///< The entry of new settings.
+    [[nodiscard]] const Item& chosen(const ToolSettings& settings) const
+    {
+        return entries[static_cast<std::size_t>(read(settings))];
+    }
 };
 
 /// A row. One that several tools have is the same object, or has the same key.
@@ -75,27 +85,33 @@ using ToolOptions = std::span<const ToolOption* const>;
 
 /// A row's number in SI units, 0 or 1 of a switch, the index of a choice; 0 of a ToolValue.
 [[nodiscard]] double optionOf(const ToolSettings& settings, const ToolOption& option);
+/// What it gives of new settings.
+[[nodiscard]] double standardOf(const ToolOption& option);
 /// Puts what optionOf() gave into the settings, at the nearest end of the range where it lies beyond; what is no number
 /// is passed over.
 void putOption(ToolSettings& settings, const ToolOption& option, double value);
 
 // Rows of more than one tool.
 
-inline constexpr ToolOption kValueOption{.key = "value", .kind = ToolValue{}};
+inline constexpr ToolOption kValueOption{.key = "value",
+                                         .label = QT_TRANSLATE_NOOP("ToolOptions", "Value"),
+                                         .hint = QT_TRANSLATE_NOOP("ToolOptions", "What is painted on the active map"),
+                                         .kind = ToolValue{}};
 inline constexpr ToolOption kSizeOption{.key = "size",
                                         .label = QT_TRANSLATE_NOOP("ToolOptions", "Size"),
                                         .kind = ToolNumber{.field = &ToolSettings::brushSizeM,
                                                            .unit = ToolNumber::Unit::Centimetres,
                                                            .least = 0.1,
                                                            .greatest = 30.0,
+                                                           .standard = 3.0,
                                                            .decimals = 1,
                                                            .exponent = 2.5}};
 inline constexpr ToolOption kHardnessOption{.key = "hardness",
                                             .label = QT_TRANSLATE_NOOP("ToolOptions", "Hardness"),
-                                            .kind = ToolNumber{.field = &ToolSettings::hardness}};
+                                            .kind = ToolNumber{.field = &ToolSettings::hardness, .standard = 60.0}};
 inline constexpr ToolOption kOpacityOption{.key = "opacity",
                                            .label = QT_TRANSLATE_NOOP("ToolOptions", "Opacity"),
-                                           .kind = ToolNumber{.field = &ToolSettings::opacity}};
+                                           .kind = ToolNumber{.field = &ToolSettings::opacity, .standard = 100.0}};
 inline constexpr std::array kTouchKinds{
     ToolChoice::Item{
         "touch-seen",
@@ -110,7 +126,7 @@ inline constexpr ToolOption kTouchOption{
         ToolChoice{.entries = kTouchKinds,
                    .read = [](const ToolSettings& settings) { return static_cast<int>(settings.touch); },
                    .write = [](ToolSettings& settings, int index) { settings.touch = static_cast<TouchKind>(index); }}};
-inline constexpr ToolNumber kFlatness{.field = &ToolSettings::flatness};
+inline constexpr ToolNumber kFlatness{.field = &ToolSettings::flatness, .standard = 90.0};
 inline constexpr const char* kFlatnessLabel = QT_TRANSLATE_NOOP("ToolOptions", "Flatness");
 inline constexpr const char* kFlatnessHint =
     QT_TRANSLATE_NOOP("ToolOptions", "How flat combed hair lies; pen pressure makes it less");

@@ -1,7 +1,15 @@
-// What maps are painted with at first.
+// What tools and maps begin with.
 #include "model/tools/tool_settings.h"
 
+#include "model/tools/tool_list.h"
+
 namespace hairpaint::model {
+
+ToolSettings::ToolSettings()
+{
+    for (const ToolOption* row : toolOptions())
+        putOption(*this, *row, standardOf(*row));
+}
 
 std::array<PaintValue, kMapKindCount> firstPaintValues()
 {

@@ -61,32 +61,35 @@ enum class GradientKind : std::uint8_t
 [[nodiscard]] std::array<PaintValue, kMapKindCount> firstPaintValues();
 [[nodiscard]] std::array<PaintValue, kMapKindCount> secondPaintValues();
 
+/// Ranges, and what new ones have, are in the rows of the tools (ToolOption).
 struct ToolSettings
 {
-    float brushSizeM = 0.03F; ///< Diameter on the skin, 0.001..0.3 m.
-    float hardness = 0.6F;    ///< 0..1
-    float opacity = 1.0F;     ///< 0..1, of the whole stroke.
-    bool pressureSize = true;
+    ToolSettings(); ///< As the rows have it.
+
+    float brushSizeM = 0.0F; ///< Diameter on the skin.
+    float hardness = 0.0F;
+    float opacity = 0.0F; ///< Of the whole stroke.
+    bool pressureSize = false;
     bool pressureOpacity = false;
-    float fillTolerance = 0.05F; ///< 0..1
-    ShapeKind shape = ShapeKind::Ellipse;
-    GradientKind gradient = GradientKind::Linear;
-    CombKind comb = CombKind::Lay;
-    TouchKind touch = TouchKind::Seen;
-    float flatness = 0.9F;    ///< 0..1 of combed hair: 0 stands upright, 1 lies flat.
-    float partReachM = 0.1F;  ///< 0.01..0.2 m to either side of a parting.
-    float partGapM = 0.001F;  ///< 0..0.01 m: the width in which a parting has no hair.
-    float partZigzagM = 0.0F; ///< 0..0.01 m: how far it leaves its curve.
-    float holdGel = 0.5F;     ///< 0..1: hair that is held as it lies gets at least so much gel,
-    float grabGel = 0.3F;     ///< 0..1: and hair that is pulled so much.
-    FingerKind fingers = FingerKind::Puff;
-    float fingerStrength = 0.5F; ///< 0..1 of what a stroke could do.
-    GrabKind grab = GrabKind::Hair;
-    float lift = 0.5F; ///< -1..1: from hair as it lies to upright, or to flat below 0.
-    CutKind cut = CutKind::Line;
-    bool cutThrough = false;  ///< Cut what the head hides, too.
-    float cutFraction = 1.0F; ///< 0.01..1 of the hairs that are crossed.
-    float cutRaggedM = 0.0F;  ///< 0..0.05 m: how far from the line each of them is cut.
+    float fillTolerance = 0.0F;
+    ShapeKind shape{};
+    GradientKind gradient{};
+    CombKind comb{};
+    TouchKind touch{};
+    float flatness = 0.0F;    ///< Of combed hair: 0 stands upright, 1 lies flat.
+    float partReachM = 0.0F;  ///< To either side of a parting.
+    float partGapM = 0.0F;    ///< The width in which a parting has no hair.
+    float partZigzagM = 0.0F; ///< How far it leaves its curve.
+    float holdGel = 0.0F;     ///< Hair that is held as it lies gets at least so much gel,
+    float grabGel = 0.0F;     ///< and hair that is pulled so much.
+    FingerKind fingers{};
+    float fingerStrength = 0.0F; ///< Of what a stroke could do.
+    GrabKind grab{};
+    float lift = 0.0F; ///< From hair as it lies to upright, or to flat below 0.
+    CutKind cut{};
+    bool cutThrough = false;                                           ///< Cut what the head hides, too.
+    float cutFraction = 0.0F;                                          ///< Of the hairs that are crossed.
+    float cutRaggedM = 0.0F;                                           ///< How far from the line each of them is cut.
     std::array<PaintValue, kMapKindCount> values = firstPaintValues(); ///< What each map is painted with.
     std::array<PaintValue, kMapKindCount> secondValues =
         secondPaintValues(); ///< What X swaps in; the far end of gradients.

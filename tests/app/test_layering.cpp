@@ -182,6 +182,102 @@ private Q_SLOTS:
         told.sort();
         QCOMPARE(told, folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name));
     }
+
+    /// A class that has grown too large is divided into classes, not into files.
+    void noClassIsSlicedOverFiles()
+    {
+        const QRegularExpression member(QStringLiteral("^(?:[A-Za-z_][\\w:<>,&* ]*[ &*])?([A-Z]\\w*)::~?\\w+\\("),
+                                        QRegularExpression::MultilineOption);
+        QHash<QString, QString> fileOf;
+        for (const char* folder : {"app", "model", "view", "sim"}) {
+            QDirIterator walk(test::sourcePath(u"") + QLatin1String(folder), {QStringLiteral("*.cpp")}, QDir::Files,
+                              QDirIterator::Subdirectories);
+            while (walk.hasNext()) {
+                QFile file(walk.next());
+                if (file.fileName().endsWith(QLatin1String("_wgl.cpp")) ||
+                    file.fileName().endsWith(QLatin1String("_windows.cpp")) ||
+                    file.fileName().endsWith(QLatin1String("_portable.cpp")))
+                    continue; // Of two guarded files one is built.
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                const QString room = QFileInfo(file).path() + QLatin1Char('/');
+                auto match = member.globalMatch(QString::fromUtf8(file.readAll()));
+                while (match.hasNext()) {
+                    const QString type = match.next().captured(1);
+                    const QString before = fileOf.value(room + type, file.fileName());
+                    QVERIFY2(
+                        before == file.fileName(),
+                        qPrintable(QStringLiteral("%1 is defined in %2 and in %3").arg(type, before, file.fileName())));
+                    fileOf.insert(room + type, file.fileName());
+                }
+            }
+        }
+        QVERIFY(fileOf.size() > 100);
+    }
+
+    /// What is printed goes through one function, which knows what a terminal would obey (the helper's standard output
+    /// and error are no terminal's).
+    void oneFileAloneWritesToStandardOutputAndError()
+    {
+        const QRegularExpression printing(QStringLiteral(
+            R"(\b((stdout|stderr|STD(OUT|ERR)_FILENO|std::(cout|cerr|clog)|QTextStream)\b|(v?f?printf|f?puts|f?putc|putchar|perror)\())"));
+        QStringList found;
+        for (const char* folder : {"app", "model", "view", "sim"}) {
+            QDirIterator walk(test::sourcePath(u"") + QLatin1String(folder),
+                              {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                              QDirIterator::Subdirectories);
+            while (walk.hasNext()) {
+                QFile file(walk.next());
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                if (printing.match(QString::fromUtf8(file.readAll())).hasMatch())
+                    found.append(file.fileName().mid(test::sourcePath(u"").size()));
+            }
+        }
+        found.sort();
+        // The console opens the streams and writes nothing.
+        QCOMPARE(found, (QStringList{QStringLiteral("app/cli/console.cpp"), QStringLiteral("app/cli/terminal.cpp"),
+                                     QStringLiteral("app/importer/main.cpp"),
+                                     QStringLiteral("app/importer/request_service.cpp")}));
+    }
+
+    /// Others ask for its traits, so that another tool is its own file and a line.
+    void noFileNamesAToolButItsOwn()
+    {
+        const QRegularExpression tool(QStringLiteral(R"(\bToolId::[A-Z]\w*)"));
+        int own = 0;
+        for (const char* folder : {"app", "model", "view", "sim"}) {
+            QDirIterator walk(test::sourcePath(u"") + QLatin1String(folder),
+                              {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                              QDirIterator::Subdirectories);
+            while (walk.hasNext()) {
+                QFile file(walk.next());
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                const QRegularExpressionMatch named = tool.match(QString::fromUtf8(file.readAll()));
+                if (!named.hasMatch())
+                    continue;
+                ++own;
+                QVERIFY2(file.fileName().endsWith(QLatin1String("_tool.cpp")) &&
+                             file.fileName().contains(QLatin1String("/model/tools/")),
+                         qPrintable(file.fileName() + QLatin1Char(' ') + named.captured()));
+            }
+        }
+        QCOMPARE(own, 11); // The eraser is in the brush's.
+    }
+
+    void noFileIsOverlong()
+    {
+        for (const char* folder : {"app", "model", "view", "sim", "tests", "resources"}) {
+            QDirIterator walk(test::sourcePath(u"") + QLatin1String(folder),
+                              {QStringLiteral("*.h"), QStringLiteral("*.cpp"), QStringLiteral("*.comp"),
+                               QStringLiteral("*.vert"), QStringLiteral("*.frag"), QStringLiteral("*.glsl")},
+                              QDir::Files, QDirIterator::Subdirectories);
+            while (walk.hasNext()) {
+                QFile file(walk.next());
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                const qsizetype lines = file.readAll().count('\n');
+                QVERIFY2(lines <= 500, qPrintable(QStringLiteral("%1 has %2 lines").arg(file.fileName()).arg(lines)));
+            }
+        }
+    }
 };
 
 HAIRPAINT_TEST(TestLayering, None)

@@ -210,7 +210,7 @@ private Q_SLOTS:
         editor().tools().setSettings(settings);
         QTest::mouseMove(m_head, m_at + QPoint(0, 1));
         QTest::mouseMove(m_head, m_at);
-        const std::vector<model::GuideStrand> guides = editor().tools().active().guides();
+        const std::vector<model::GuideStrand> guides = editor().tools().guides();
         QVERIFY(guides.size() >= 6 && guides.size() <= 30);
         const auto* overlay = m_window->headView().findChild<view::HeadOverlay*>();
         QCOMPARE(overlay->guides().size(), guides.size());
@@ -222,7 +222,7 @@ private Q_SLOTS:
         const int steps = stack().count();
         m_at = node;
         strokeTo(node + QPoint(30, -20), false);
-        const std::vector<model::GuideStrand> bent = editor().tools().active().guides();
+        const std::vector<model::GuideStrand> bent = editor().tools().guides();
         const auto held = std::ranges::find_if(bent, &model::GuideStrand::held);
         QVERIFY(held != bent.end());
         const auto lengthM = [](const model::GuideStrand& guide) {

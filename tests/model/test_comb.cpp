@@ -205,7 +205,7 @@ private Q_SLOTS:
         const glm::vec3 centre = onBall(longitude, latitude);
         comb.stroke({centre});
         QCOMPARE(comb.document.undoStack().count(), 1);
-        QCOMPARE(comb.document.undoStack().text(0), QStringLiteral("Comb on Direction"));
+        QCOMPARE(comb.document.undoStack().text(0), QStringLiteral("Lay a whorl"));
         QVERIFY(glm::length(comb.directionAt(centre)) < 0.1F);
         const glm::vec3 normal = glm::normalize(centre);
         const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0.0F, 1.0F, 0.0F), normal));

@@ -240,11 +240,11 @@ private Q_SLOTS:
         const auto live = barber.shown();
         QVERIFY(*live != *barber.before);
         QVERIFY(*live != *other);
-        QCOMPARE(barber.scissors().pictureLine().line, (QPolygonF{kFrom, kTo}));
+        QCOMPARE(barber.scissors().pictureHandler()->pictureLine().line, (QPolygonF{kFrom, kTo}));
         QCOMPARE(barber.document.undoStack().count(), 0);
         barber.release(kTo);
         QVERIFY(*barber.shown() == *live);
-        QVERIFY(barber.scissors().pictureLine().line.isEmpty());
+        QVERIFY(barber.scissors().pictureHandler()->pictureLine().line.isEmpty());
         QCOMPARE(barber.document.undoStack().count(), 1);
         QCOMPARE(barber.document.undoStack().undoText(), QStringLiteral("Cut hair"));
         barber.document.undo();
@@ -258,13 +258,13 @@ private Q_SLOTS:
         Barber barber;
         const std::vector<SeenStrand> crossed = barber.view.crossing(std::array{kFrom, kTo}, false);
         barber.cut(kFrom, kTo);
-        const std::vector<CutPiece> pieces = barber.scissors().takeCutOff();
+        const std::vector<CutPiece> pieces = barber.scissors().pictureHandler()->takeCutOff();
         QCOMPARE(pieces.size(), crossed.size());
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             QVERIFY(pieces[i].pointsWo.size() >= 2);
             QVERIFY(glm::distance(pieces[i].pointsWo.front(), crossed[i].positionHd) < 0.002F);
         }
-        QVERIFY(barber.scissors().takeCutOff().empty());
+        QVERIFY(barber.scissors().pictureHandler()->takeCutOff().empty());
         QCOMPARE(cutPieces(*barber.view.hair(), glm::quat(1.0F, 0.0F, 0.0F, 0.0F),
                            std::vector<StrandCut>(1000, {.slot = crossed.front().slot, .kept = 0.5F}), 100)
                      .size(),
@@ -373,7 +373,7 @@ private Q_SLOTS:
         barber.press(kFrom);
         for (const QPointF at : {across, below, kTo})
             barber.move(at);
-        QVERIFY(barber.scissors().pictureLine().closed);
+        QVERIFY(barber.scissors().pictureHandler()->pictureLine().closed);
         barber.release(kTo);
         const std::vector<SeenStrand> inside = barber.view.inside({kFrom, across, below, kTo}, false);
         QVERIFY(inside.size() > 100);
@@ -391,17 +391,17 @@ private Q_SLOTS:
         barber.press({0.0, 0.0});
         barber.move({40.0, 100.0});
         barber.move({100.0, 7.0}, Qt::ShiftModifier);
-        QPolygonF line = barber.scissors().pictureLine().line;
+        QPolygonF line = barber.scissors().pictureHandler()->pictureLine().line;
         QVERIFY(line.size() == 2 && line.back() == QPointF(100.0, 0.0));
         barber.move({100.0, 80.0}, Qt::ShiftModifier);
-        line = barber.scissors().pictureLine().line;
+        line = barber.scissors().pictureHandler()->pictureLine().line;
         QVERIFY(std::abs(line.back().x() - 90.0) < 1e-6 && std::abs(line.back().y() - 90.0) < 1e-6);
         barber.release({100.0, 7.0});
         barber.settings.cut = CutKind::Freehand;
         barber.press({0.0, 0.0});
         for (const QPointF at : {QPointF(40.0, 100.0), QPointF(100.0, 7.0)})
             barber.move(at);
-        QCOMPARE(barber.scissors().pictureLine().line,
+        QCOMPARE(barber.scissors().pictureHandler()->pictureLine().line,
                  (QPolygonF{QPointF(0.0, 0.0), QPointF(40.0, 100.0), QPointF(100.0, 7.0)}));
         ToolContext now = barber.context();
         barber.scissors().cancel(now);

@@ -4,6 +4,7 @@
 #include "view/look/theme.h"
 
 #include <QDialogButtonBox>
+#include <QLocale>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTextBrowser>
@@ -40,7 +41,17 @@ public:
         m_rows += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
                       .arg(how.toHtmlEscaped(), what.toHtmlEscaped());
     }
-    [[nodiscard]] QString html() const { return QStringLiteral("<table cellpadding=\"3\">%1</table>").arg(m_rows); }
+    /// What says by itself what is done, and perhaps more on it below.
+    void wideRow(const QString& what, const QString& more = {})
+    {
+        m_rows +=
+            QStringLiteral("<tr><td colspan=\"2\"><b>%1</b>%2</td></tr>")
+                .arg(what.toHtmlEscaped(), more.isEmpty() ? QString() : QStringLiteral("<br>") + more.toHtmlEscaped());
+    }
+    [[nodiscard]] QString html() const
+    {
+        return m_rows.isEmpty() ? QString() : QStringLiteral("<table cellpadding=\"3\">%1</table>").arg(m_rows);
+    }
 
 private:
     QString m_rows;
@@ -54,17 +65,50 @@ QString keyOf(const std::vector<KeyBinding>& bindings, const QString& action)
     return found != bindings.end() ? found->action->shortcut().toString(QKeySequence::NativeText) : QString();
 }
 
-QString toolPage(const EditorState& state, const std::vector<KeyBinding>& bindings)
+QString rangeText(const model::ToolNumber& number)
+{
+    const auto text = [&number](double value) { return QLocale().toString(value, 'f', number.decimals); };
+    return text(number.least) + QChar(0x2013) + text(number.greatest) + QChar(QChar::Nbsp) + number.unitText();
+}
+
+/// What a tool can be set to.
+QString optionTable(const model::Tool& tool)
 {
     Table table;
+    for (const model::ToolOption* option : tool.options()) {
+        if (const auto* choice = std::get_if<model::ToolChoice>(&option->kind)) {
+            for (const model::ToolChoice::Item& entry : choice->entries)
+                table.wideRow(entry.titleText(), *entry.hint != '\0' ? model::Tool::tr(entry.hint) : QString());
+            continue;
+        }
+        QStringList told;
+        if (const auto* number = std::get_if<model::ToolNumber>(&option->kind))
+            told += rangeText(*number);
+        if (*option->hint != '\0')
+            told += option->hintText();
+        if (told.isEmpty())
+            table.wideRow(option->labelText());
+        else
+            table.row(told.join(QStringLiteral("; ")), option->labelText());
+    }
+    return table.html();
+}
+
+QString toolPage(const EditorState& state, const std::vector<KeyBinding>& bindings)
+{
+    QString html =
+        heading(HelpDialog::Topic::Tools, HelpDialog::tr("Tools")) +
+        paragraph(HelpDialog::tr("Every tool works in both areas: on the flat map and straight on the head. What it "
+                                 "paints goes to the active layer of the active map, inside the selection where "
+                                 "there is one."));
     for (const auto& tool : state.tools().all()) {
         const QString key = keyOf(bindings, QStringLiteral("tool.") + QLatin1String(tool->name()));
-        table.row(tool->hint(), key.isEmpty() ? tool->title() : QStringLiteral("%1 (%2)").arg(tool->title(), key));
+        html += QStringLiteral("<h4>%1</h4>")
+                    .arg((key.isEmpty() ? tool->title() : QStringLiteral("%1 (%2)").arg(tool->title(), key))
+                             .toHtmlEscaped()) +
+                paragraph(tool->purpose()) + paragraph(tool->hint()) + optionTable(*tool);
     }
-    return heading(HelpDialog::Topic::Tools, HelpDialog::tr("Tools")) + table.html() +
-           paragraph(HelpDialog::tr("Every tool works in both areas: on the flat map and straight on the head. What it "
-                                    "paints goes to the active layer of the active map, inside the selection where "
-                                    "there is one."));
+    return html;
 }
 
 QString pointerPage(const std::vector<KeyBinding>& bindings)

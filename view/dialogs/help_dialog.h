@@ -12,7 +12,7 @@ class QTextBrowser;
 
 namespace hairpaint::view {
 
-/// Not modal. Written from the tools' own hints and the keys as they are bound, anew when one is bound anew. The
+/// Not modal. Written from the tools' own rows and the keys as they are bound, anew when one is bound anew. The
 /// actions outlive it.
 class HelpDialog : public QDialog
 {

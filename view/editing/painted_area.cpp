@@ -52,14 +52,14 @@ void PaintedArea::tabletEvent(QTabletEvent* event)
     event->accept();
     if (event->type() == QEvent::TabletPress) {
         const bool turned = event->pointerType() == QPointingDevice::PointerType::Eraser;
-        m_eraserTurned = turned && m_editor.tools().choose(model::ToolId::Eraser);
+        m_eraserTurned = turned && m_editor.tools().choose(m_editor.tools().with(&model::ToolTraits::erases));
         pointerPressed(sample);
     } else if (event->type() == QEvent::TabletMove) {
         pointerMoved(sample);
     } else if (event->type() == QEvent::TabletRelease) {
         pointerReleased(sample);
         if (std::exchange(m_eraserTurned, false))
-            m_editor.tools().toggle(model::ToolId::Eraser);
+            m_editor.tools().toggle(m_editor.tools().with(&model::ToolTraits::erases));
     }
 }
 

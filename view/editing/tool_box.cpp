@@ -30,6 +30,7 @@ ToolBox::ToolBox(EditTarget& target, const ViewOptions& options, QObject* parent
     : QObject(parent), m_target(target), m_options(options), m_tools(model::makeTools()),
       m_settings(startSettings(target.document().project()))
 {
+    m_active = m_previous = index(with(&model::ToolTraits::isFirst));
     if (const sim::GroupSettings* group = m_target.knownSettings())
         m_amounts.take(*group, m_settings);
     model::Document& document = target.document();
@@ -52,6 +53,11 @@ std::size_t ToolBox::index(model::ToolId id) const
 {
     const auto found = std::ranges::find_if(m_tools, [id](const auto& tool) { return tool->id() == id; });
     return static_cast<std::size_t>(found - m_tools.begin());
+}
+
+model::ToolId ToolBox::with(bool model::ToolTraits::*trait) const
+{
+    return (*std::ranges::find_if(m_tools, [trait](const auto& tool) { return tool->traits().*trait; }))->id();
 }
 
 bool ToolBox::choose(model::ToolId id)
@@ -134,7 +140,7 @@ template<typename Call>
 void ToolBox::withTool(const Call& call)
 {
     model::Tool& tool = active();
-    const bool hadOverlay = !tool.overlay().empty() || !tool.guides().empty();
+    const bool hadOverlay = !tool.overlay().empty() || !guides().empty();
     const model::ToolSettings before = m_settings;
     model::ToolContext toolContext = context();
     const bool held = m_target.hold(true);
@@ -145,7 +151,7 @@ void ToolBox::withTool(const Call& call)
             m_amounts.takeChanges(*group, before, m_settings);
         Q_EMIT settingsChanged();
     }
-    if (hadOverlay || !tool.overlay().empty() || !tool.guides().empty())
+    if (hadOverlay || !tool.overlay().empty() || !guides().empty())
         Q_EMIT overlayChanged();
 }
 
@@ -238,6 +244,18 @@ void ToolBox::release(const model::ToolEvent& event)
         withTool([&event](model::Tool& tool, model::ToolContext& toolContext) { tool.release(event, toolContext); });
 }
 
+model::PictureLine ToolBox::pictureLine() const
+{
+    const model::PictureHandler* hand = active().pictureHandler();
+    return hand != nullptr ? hand->pictureLine() : model::PictureLine();
+}
+
+std::vector<model::GuideStrand> ToolBox::guides() const
+{
+    const model::HairHandler* hand = active().hairHandler();
+    return hand != nullptr ? hand->guides() : std::vector<model::GuideStrand>();
+}
+
 void ToolBox::press(const model::HairEvent& event)
 {
     model::HairHandler* hand = active().hairHandler();
@@ -266,11 +284,11 @@ void ToolBox::hover(const std::optional<model::GrabbedHair>& hair)
     model::HairHandler* hand = active().hairHandler();
     if (hand == nullptr || stroking())
         return;
-    const bool showed = !active().guides().empty();
+    const bool showed = !guides().empty();
     m_strokeTarget = m_target.address();
     model::ToolContext toolContext = context();
     hand->hoverHair(hair, toolContext);
-    if (showed || !active().guides().empty())
+    if (showed || !guides().empty())
         Q_EMIT overlayChanged();
 }
 
@@ -297,7 +315,7 @@ void ToolBox::release(const model::PictureEvent& event)
         return;
     withTool([&](model::Tool&, model::ToolContext& toolContext) { hand->releasePicture(event, toolContext); });
     Q_EMIT overlayChanged();
-    if (const std::vector<model::CutPiece> pieces = active().takeCutOff(); !pieces.empty())
+    if (const std::vector<model::CutPiece> pieces = hand->takeCutOff(); !pieces.empty())
         Q_EMIT hairCutOff(pieces);
 }
 

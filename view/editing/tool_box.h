@@ -29,6 +29,8 @@ public:
     [[nodiscard]] const std::vector<std::unique_ptr<model::Tool>>& all() const { return m_tools; }
     [[nodiscard]] model::Tool& active() const { return *m_tools[m_active]; }
     bool choose(model::ToolId id);
+    /// The one that has that trait: isFirst, erases.
+    [[nodiscard]] model::ToolId with(bool model::ToolTraits::*trait) const;
     /// Back to the tool before the last choose: E toggles brush and eraser.
     void toggle(model::ToolId id);
 
@@ -79,6 +81,9 @@ public:
     [[nodiscard]] bool layingHair() const;
     /// What both areas draw over their picture: the active tool's shapes, and the selection's outlines, which march.
     [[nodiscard]] std::vector<model::OverlayShape> overlay() const;
+    /// What the active tool has drawn over the 3D area's picture, and the hairs that it offers there to be bent.
+    [[nodiscard]] model::PictureLine pictureLine() const;
+    [[nodiscard]] std::vector<model::GuideStrand> guides() const;
 
 Q_SIGNALS:
     void activeChanged();

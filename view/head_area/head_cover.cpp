@@ -62,8 +62,8 @@ void HeadCover::refresh()
 {
     const Sight sight = shown();
     m_overlay->setShapes(m_editor.tools().overlay(), m_scene.skin(), sight.camera, sight.pose);
-    m_overlay->setPictureLine(m_editor.tools().active().pictureLine());
-    m_overlay->setGuides(m_editor.tools().active().guides(), sight.camera, sight.pose);
+    m_overlay->setPictureLine(m_editor.tools().pictureLine());
+    m_overlay->setGuides(m_editor.tools().guides(), sight.camera, sight.pose);
     m_overlay->setWorn(outlinedWorn(m_editor), m_editor.options().chosenWorn(), sight.camera, sight.pose);
     m_overlay->setGhost(m_scene.hiddenRing());
     m_directions.refreshSoon();

@@ -177,7 +177,7 @@ std::optional<model::GrabbedHair> HeadScene::guideNodeAt(QPointF position) const
     constexpr double kNodePx = 9.0;
     std::optional<model::GrabbedHair> found;
     double nearestPx = kNodePx;
-    for (const model::GuideStrand& guide : m_editor.tools().active().guides()) {
+    for (const model::GuideStrand& guide : m_editor.tools().guides()) {
         float alongM = 0.0F;
         for (std::size_t i = 1; i < guide.nodesHd.size(); ++i) {
             alongM += glm::distance(guide.nodesHd[i - 1], guide.nodesHd[i]);

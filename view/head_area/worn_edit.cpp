@@ -35,10 +35,12 @@ void addWornAt(EditorState& editor, model::WornKind kind, const sim::SurfacePoin
 
 void addTwinTailsAt(EditorState& editor, const sim::SurfacePoint& point)
 {
-    constexpr model::WornKind kKind = model::WornKind::Ponytail;
+    // A table that lasts; what gathers hair into a tail can do so on both sides.
+    const model::WornSpec& spec =
+        *std::ranges::find(model::wornSpecs(), std::optional(sim::TieForm::Tail), &model::WornSpec::tie);
     model::Document& document = editor.document();
-    model::CommandPtr command = gatherTwinsCommand(document, editor.target().group(), model::wornSpec(kKind), point,
-                                                   editor.tools().selection().rectangles());
+    model::CommandPtr command =
+        gatherTwinsCommand(document, editor.target().group(), spec, point, editor.tools().selection().rectangles());
     if (command == nullptr) {
         if (editor.tools().mayPaint({model::MapKind::Accessory}))
             Q_EMIT editor.refused(model::wornText(QT_TRANSLATE_NOOP(
@@ -47,7 +49,7 @@ void addTwinTailsAt(EditorState& editor, const sim::SurfacePoint& point)
     }
     document.push(std::move(command));
     const std::vector<model::Worn>& all = document.project().worn;
-    editor.options().setChosenWorn(std::ranges::find(all.rbegin(), all.rend(), kKind, &model::Worn::kind)->id);
+    editor.options().setChosenWorn(std::ranges::find(all.rbegin(), all.rend(), spec.kind, &model::Worn::kind)->id);
 }
 
 void removeChosenWorn(EditorState& editor)

@@ -174,7 +174,7 @@ void HairPanel::addGroup(const model::HairKind& kind)
     }
     m_state.target().setGroup(m_state.document().project().groups.back().id);
     m_state.target().setMap(model::MapKind::Density);
-    m_state.tools().choose(model::ToolId::Brush);
+    m_state.tools().choose(m_state.tools().with(&model::ToolTraits::isFirst));
 }
 
 void HairPanel::removeGroup()

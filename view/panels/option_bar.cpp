@@ -33,19 +33,6 @@ namespace {
 constexpr int kSliderWidth = 160; ///< Where there is room.
 constexpr int kValueWidth = 240;
 
-QString unitText(model::ToolNumber::Unit unit)
-{
-    switch (unit) {
-    case model::ToolNumber::Unit::Percent:
-        break;
-    case model::ToolNumber::Unit::Centimetres:
-        return OptionBar::tr("cm");
-    case model::ToolNumber::Unit::Millimetres:
-        return OptionBar::tr("mm");
-    }
-    return QStringLiteral("%");
-}
-
 QToolButton* toggle(const QString& iconName, const QString& name, QWidget* parent)
 {
     QToolButton* button = makeActionButton(iconName, name, parent);
@@ -168,8 +155,8 @@ void OptionBar::build(Option& option, const model::ToolNumber& number)
     auto* slider = new BarSlider(option.row->labelText(), this);
     slider->setRange(number.least, number.greatest, number.decimals);
     slider->setExponent(number.exponent);
-    slider->setUnit(unitText(number.unit));
-    slider->setDefaultValue(optionOf(ToolSettings{}, *option.row) * number.shownPerSi());
+    slider->setUnit(number.unitText());
+    slider->setDefaultValue(number.standard);
     slider->setPreferredWidth(kSliderWidth);
     if (*option.row->hint != '\0')
         slider->setHint(option.row->hintText());
@@ -230,7 +217,7 @@ void OptionBar::showOptions()
         iconPixmap(QLatin1String(tool.name()), metrics::kIcon, Theme::current().text, devicePixelRatioF()));
     m_toolName->setText(tool.title());
     m_revealed->setVisible(erases(m_state));
-    m_selectionBox->setVisible(tool.id() == model::ToolId::Select);
+    m_selectionBox->setVisible(tool.traits().selects);
     // In the tool's own order, from behind the value on.
     for (const Option& option : m_options)
         m_row->removeWidget(option.widget);

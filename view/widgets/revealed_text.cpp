@@ -11,7 +11,7 @@ namespace hairpaint::view {
 
 bool erases(const EditorState& state)
 {
-    return state.tools().active().id() == model::ToolId::Eraser;
+    return state.tools().active().traits().erases;
 }
 
 QString revealedText(const EditorState& state)

@@ -28,7 +28,7 @@ AreaMenu::AreaMenu(const ActionSet& actions, QWidget* parent) : QMenu(parent)
             continue;
         }
         worn->addAction(actions.find(QLatin1StringView(QByteArray("hair.add") + spec->action)));
-        if (spec->kind == model::WornKind::Ponytail)
+        if (spec->tie == sim::TieForm::Tail)
             worn->addAction(actions.find(QLatin1StringView("hair.addTwinTails")));
     }
     addAction(actions.find(QLatin1StringView("hair.removeWorn")));

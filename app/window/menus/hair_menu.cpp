@@ -136,7 +136,7 @@ void HairMenu::addWorn(ActionSet& actions, Session& session, view::HeadView& hea
                                      return project.head && countOf(project.worn, spec.kind) < spec.limit;
                                  }}});
         actions.find(QLatin1StringView(id))->setToolTip(model::wornText(spec.addHint).arg(spec.limit));
-        if (spec.kind != model::WornKind::Ponytail)
+        if (spec.tie != sim::TieForm::Tail)
             continue;
         actions.add(*menu, {{.id = "hair.addTwinTails",
                              .text = tr("T&win tails here"),

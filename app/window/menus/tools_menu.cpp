@@ -33,8 +33,8 @@ ToolsMenu::ToolsMenu(const QString& title, ActionSet& actions, view::EditorState
 {
     for (const auto& tool : editor.tools().all()) {
         const char* name = tool->name();
-        const auto choose = [&editor, tool = tool->id()] {
-            if (tool == model::ToolId::Eraser)
+        const auto choose = [&editor, tool = tool->id(), goesBack = tool->traits().erases] {
+            if (goesBack)
                 editor.tools().toggle(tool);
             else
                 editor.tools().choose(tool);
