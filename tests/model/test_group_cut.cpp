@@ -1,7 +1,6 @@
 // Cuts of all hair of a group: trimmed, to a level, in layers.
 #include "model/tools/group_cut.h"
-#include "model/values/srgb.h"
-#include "sim/groom/strand_look.h"
+#include "tests/model/hair_colour.h"
 #include "tests/model/side_view.h"
 #include "tests/model/tool_studio.h"
 #include "tests/model/worn_style.h"
@@ -93,15 +92,6 @@ private Q_SLOTS:
         const auto after = salon.now();
         const sim::Groom& was = *salon.was().groom;
         const sim::Groom& is = *after->groups.front().groom;
-        // At a point of a hair that stays, its part of the tip's green.
-        const auto greenAt = [](const sim::Groom& groom, std::uint32_t slot, float alongM) {
-            const sim::StrandStyle& style = groom.style(slot);
-            const float part = sim::tipMixOf(groom.settings.material, style.tipStart).at(alongM / style.lengthM);
-            const auto lightOf = [](std::uint32_t colour) {
-                return linearFromSrgb(static_cast<float>(colour >> 8U & 0xFFU) / 255.0F);
-            };
-            return glm::mix(lightOf(style.rootColour), lightOf(style.tipColour), part);
-        };
         std::size_t looked = 0;
         std::size_t off = 0;
         for (std::uint32_t slot = 0; slot < was.roots->count(); ++slot) {
@@ -216,8 +206,10 @@ private Q_SLOTS:
         };
         QCOMPARE(at(fade, 0.3F), 0.05F);
         QCOMPARE(at(fade, 0.7F), 0.001F);
-        for (float down = 0.4F; down < 0.575F; down += 0.025F) {
-            const float factor = at(fade, down + 0.025F) / at(fade, down);
+        constexpr float kStep = 0.025F;
+        for (int step = 0; step < 7; ++step) {
+            const float down = fade.from + kStep * static_cast<float>(step);
+            const float factor = at(fade, down + kStep) / at(fade, down);
             QVERIFY2(factor > 0.5F && factor < 0.7F, qPrintable(QString::number(factor)));
         }
         GradedLengths toNothing = fade;
