@@ -5,6 +5,7 @@
 #include "sim/groom/strand_curve.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace hairpaint::model {
@@ -14,16 +15,20 @@ namespace {
 constexpr std::size_t kCurvesAtOnce = 512;
 constexpr float kLeastLengthM = 1e-6F; ///< Of hair that can be cut.
 constexpr float kLeastSpan = 1e-4F;
+constexpr float kStubbleM = 1e-3F; ///< From here down a fade's lengths differ evenly, so that it may end at nothing.
 constexpr float kNowhere = std::numeric_limits<float>::max();
 
 } // namespace
 
 float GradedLengths::lengthM(glm::vec3 rootHd) const
 {
-    const float whole = byHeight ? topHd.y - bottomHd.y : glm::distance(topHd, bottomHd);
-    const float here = byHeight ? topHd.y - rootHd.y : glm::distance(topHd, rootHd);
+    const float whole = fades ? topHd.y - bottomHd.y : glm::distance(topHd, bottomHd);
+    const float here = fades ? topHd.y - rootHd.y : glm::distance(topHd, rootHd);
     const float down = here / std::max(whole, kLeastSpan);
-    return glm::mix(topM, bottomM, std::clamp((down - from) / std::max(to - from, kLeastSpan), 0.0F, 1.0F));
+    const float part = std::clamp((down - from) / std::max(to - from, kLeastSpan), 0.0F, 1.0F);
+    if (!fades || part <= 0.0F || part >= 1.0F)
+        return glm::mix(topM, bottomM, part);
+    return (topM + kStubbleM) * std::pow((bottomM + kStubbleM) / (topM + kStubbleM), part) - kStubbleM;
 }
 
 GroupCut::GroupCut(ToolContext& context, std::shared_ptr<const sim::StrandFrame> frame, const QString& text)

@@ -20,9 +20,11 @@ struct GradedLengths
 {
     glm::vec3 topHd{0.0F};
     glm::vec3 bottomHd{0.0F};
-    float topM = 0.1F;     ///< At the top, m.
-    float bottomM = 0.3F;  ///< At the bottom.
-    bool byHeight = false; ///< Between their heights; else by the distance from the top.
+    float topM = 0.1F;    ///< At the top, m.
+    float bottomM = 0.3F; ///< At the bottom.
+    /// A fade: between their heights, each millimetre down by much the same factor, as clipper guards follow each
+    /// other. Else layers: by the distance from the top, each by the same length.
+    bool fades = false;
     /// 0..1: where on that it begins to change, and where it ends.
     float from = 0.0F, to = 1.0F;
 

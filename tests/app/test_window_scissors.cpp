@@ -1,5 +1,6 @@
 // Cutting hair in the real window, by mouse.
 #include "tests/app/window_fixture.h"
+#include "tests/model/hair_colour.h"
 #include "tests/model/side_view.h"
 #include "tests/support/test_program.h"
 #include "view/head_area/head_overlay.h"
@@ -108,6 +109,52 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(overlay->falling().empty(), kPatienceMs);
         key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(*lengths() == *lengthsBefore);
+    }
+
+    /// Dyed over their lower half: what is left of them looks as before, and what was cut off is gone.
+    void cutHairKeepsTheColoursThatItsPointsHad()
+    {
+        constexpr float kLevelM = -0.16F;
+        model::Project dyed = model::newProject();
+        const auto preset = model::loadPreset(QStringLiteral(":/presets/long-straight.hairpreset"));
+        QVERIFY(preset.has_value());
+        model::applyPreset(dyed, *preset);
+        sim::TiledRaster& tips = dyed.groups.front().map(model::MapKind::TipColour).layers.front().raster;
+        for (int index = 0; index < tips.tileCount(); ++index)
+            tips.setUniform(index, {65535, 65535, 0, 65535});
+        dyed.groups.front().settings.material.tipFrom = 0.5F;
+        openWindow(std::move(dyed));
+        awaitNewestHair();
+        lookFromTheSide(kLevelM);
+        const auto before = session().frame();
+        const sim::GroupFrame& was = before->groups.front();
+        key(Qt::Key_K);
+        const auto [from, to] = levelLine(kLevelM);
+        mouse(QEvent::MouseButtonPress, from);
+        mouse(QEvent::MouseMove, to);
+        mouse(QEvent::MouseButtonRelease, to);
+        awaitNewestHair();
+        std::size_t looked = 0;
+        std::size_t changed = 0;
+        float brightest = 0.0F;
+        for (std::uint32_t slot = 0; slot < was.groom->roots->count(); ++slot) {
+            const float keptM = hair().groom->style(slot).lengthM;
+            if (!was.isPositioned(slot) || was.groom->style(slot).lengthM - keptM < 0.01F)
+                continue;
+            for (const float alongM : {0.3F * keptM, 0.8F * keptM, keptM}) {
+                ++looked;
+                const float wasGreen = test::greenAt(*was.groom, slot, alongM);
+                brightest = std::max(brightest, wasGreen);
+                changed += std::abs(test::greenAt(*hair().groom, slot, alongM) - wasGreen) > 0.04F ? 1 : 0;
+            }
+        }
+        QVERIFY2(looked > 300 && brightest > 0.3F, qPrintable(QStringLiteral("%1 %2").arg(looked).arg(brightest)));
+        QVERIFY2(changed * 50 < looked, qPrintable(QStringLiteral("%1 of %2").arg(changed).arg(looked)));
+        key(Qt::Key_Z, Qt::ControlModifier);
+        awaitNewestHair();
+        for (std::uint32_t slot = 0; slot < was.groom->roots->count(); ++slot)
+            if (was.isPositioned(slot))
+                QVERIFY(test::isSame(was.groom->style(slot), hair().groom->style(slot)));
     }
 
     void theSignThatTellsHowToTurnTheHeadGoesWhileScissorsAreInHand()

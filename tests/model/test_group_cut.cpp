@@ -1,7 +1,6 @@
 // Cuts of all hair of a group: trimmed, to a level, in layers.
 #include "model/tools/group_cut.h"
-#include "model/values/srgb.h"
-#include "sim/groom/strand_look.h"
+#include "tests/model/hair_colour.h"
 #include "tests/model/side_view.h"
 #include "tests/model/tool_studio.h"
 #include "tests/model/worn_style.h"
@@ -9,6 +8,7 @@
 
 #include <QtTest>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -92,15 +92,6 @@ private Q_SLOTS:
         const auto after = salon.now();
         const sim::Groom& was = *salon.was().groom;
         const sim::Groom& is = *after->groups.front().groom;
-        // At a point of a hair that stays, its part of the tip's green.
-        const auto greenAt = [](const sim::Groom& groom, std::uint32_t slot, float alongM) {
-            const sim::StrandStyle& style = groom.style(slot);
-            const float part = sim::tipMixOf(groom.settings.material, style.tipStart).at(alongM / style.lengthM);
-            const auto lightOf = [](std::uint32_t colour) {
-                return linearFromSrgb(static_cast<float>(colour >> 8U & 0xFFU) / 255.0F);
-            };
-            return glm::mix(lightOf(style.rootColour), lightOf(style.tipColour), part);
-        };
         std::size_t looked = 0;
         std::size_t off = 0;
         for (std::uint32_t slot = 0; slot < was.roots->count(); ++slot) {
@@ -199,16 +190,68 @@ private Q_SLOTS:
             off += std::abs(isM - wantedM) > kErrorM ? 1 : 0;
         });
         QVERIFY2(off * 100 < salon.was().groom->drawnCount, qPrintable(QString::number(off)));
+    }
 
-        grade.byHeight = true;
-        grade.from = 0.4F;
-        grade.to = 0.6F;
-        const auto at = [&](float down) {
+    void aFadeShortensByMuchTheSameFactorOnItsWayDown()
+    {
+        const GradedLengths fade{.topHd = {0.0F, 0.1F, 0.0F},
+                                 .bottomHd = {0.0F, -0.1F, -0.1F},
+                                 .topM = 0.05F,
+                                 .bottomM = 0.001F,
+                                 .fades = true,
+                                 .from = 0.4F,
+                                 .to = 0.6F};
+        const auto at = [](const GradedLengths& grade, float down) {
             return grade.lengthM({0.05F, glm::mix(grade.topHd.y, grade.bottomHd.y, down), 0.0F});
         };
-        QCOMPARE(at(0.3F), 0.1F);
-        QVERIFY(std::abs(at(0.5F) - 0.175F) < 1e-4F);
-        QCOMPARE(at(0.7F), 0.25F);
+        QCOMPARE(at(fade, 0.3F), 0.05F);
+        QCOMPARE(at(fade, 0.7F), 0.001F);
+        constexpr float kStep = 0.025F;
+        for (int step = 0; step < 7; ++step) {
+            const float down = fade.from + kStep * static_cast<float>(step);
+            const float factor = at(fade, down + kStep) / at(fade, down);
+            QVERIFY2(factor > 0.5F && factor < 0.7F, qPrintable(QString::number(factor)));
+        }
+        GradedLengths toNothing = fade;
+        toNothing.bottomM = 0.0F;
+        QCOMPARE(at(toNothing, 0.7F), 0.0F);
+        QVERIFY(at(toNothing, 0.59F) > 0.0F);
+        QVERIFY(at(toNothing, 0.5F) < 0.25F * fade.topM);
+    }
+
+    /// Hair lies down over what is shorter: lengths that differ evenly would all end in one line.
+    void aFadeHasNoEdge()
+    {
+        Salon salon(QStringLiteral("Side part"));
+        const sim::HeadLandmarks& marks = *salon.document.project().head->landmarks;
+        ToolContext context = salon.context();
+        GroupCut cut(context, salon.before, QStringLiteral("Fade"));
+        cut.grade({.topHd = marks[sim::HeadLandmark::Crown],
+                   .bottomHd = marks[sim::HeadLandmark::Nape],
+                   .topM = 0.05F,
+                   .bottomM = 0.001F,
+                   .fades = true,
+                   .from = 0.1F,
+                   .to = 0.75F});
+        cut.commit();
+        const auto after = salon.live.settled(salon.document.groomInput());
+        const sim::GroupFrame& hair = after->groups.front();
+        // How much hair covers the back of the head, above the hairline.
+        constexpr float kBandM = 0.01F;
+        const float lowestM = marks[sim::HeadLandmark::Nape].y + 0.01F;
+        std::array<float, 8> coveredM{};
+        for (std::uint32_t slot = 0; slot < hair.groom->roots->count(); ++slot) {
+            if (!hair.isPositioned(slot) || hair.groom->roots->positionHd[slot].z > marks[sim::HeadLandmark::EarLeft].z)
+                continue;
+            const std::vector<glm::vec3> points = drawnPoints(hair, slot);
+            for (std::size_t i = 1; i < points.size(); ++i)
+                if (const float band = (points[i].y - lowestM) / kBandM; band >= 0.0F && band < coveredM.size())
+                    coveredM.at(static_cast<std::size_t>(band)) += glm::distance(points[i - 1], points[i]);
+        }
+        for (std::size_t i = 1; i < coveredM.size(); ++i)
+            QVERIFY2(coveredM.at(i) < 2.0F * coveredM.at(i - 1),
+                     qPrintable(QStringLiteral("%1: %2 after %3").arg(i).arg(coveredM.at(i)).arg(coveredM.at(i - 1))));
+        QVERIFY(coveredM.back() > 4.0F * coveredM.front());
     }
 
     void onlyWhatIsSelectedIsCut()

@@ -25,6 +25,8 @@ constexpr double kPercent = 100.0;
 constexpr float kJaw = 0.55F; ///< Of the height from the ears' openings down to the chin: the corner of the jaw.
 constexpr double kAboveChinCm = 30.0;
 constexpr double kFadeTopCm = 5.0;
+constexpr double kFadeEndsPercent =
+    75.0; ///< Of the way from the crown down to the nape: below the openings of the ears.
 
 struct CutText
 {
@@ -178,7 +180,7 @@ void CutDialog::addGrade(bool fades)
 {
     const double longestCm = std::max(std::ceil(static_cast<double>(m_cut.longestM()) * kCmPerM), 1.0);
     const std::optional<sim::HeadLandmarks>& marks = m_state.document().project().head->landmarks;
-    model::GradedLengths grade{.byHeight = fades};
+    model::GradedLengths grade{.fades = fades};
     if (marks) {
         grade.topHd = (*marks)[sim::HeadLandmark::Crown];
         grade.bottomHd = (*marks)[sim::HeadLandmark::Nape];
@@ -190,7 +192,8 @@ void CutDialog::addGrade(bool fades)
     const BarSlider* bottom =
         addLength(fades ? tr("Length at the hairline") : tr("Length at the nape"), longestCm, fades ? 0.1 : longestCm);
     const BarSlider* from = addSlider(tr("Begins at"), 0.0, kPercent, 0, fades ? 10.0 : 0.0, QStringLiteral("%"));
-    const BarSlider* to = addSlider(tr("Ends at"), 0.0, kPercent, 0, fades ? 50.0 : kPercent, QStringLiteral("%"));
+    const BarSlider* to =
+        addSlider(tr("Ends at"), 0.0, kPercent, 0, fades ? kFadeEndsPercent : kPercent, QStringLiteral("%"));
     m_preview = [this, grade, top, bottom, from, to]() mutable {
         grade.topM = static_cast<float>(top->value() / kCmPerM);
         grade.bottomM = static_cast<float>(bottom->value() / kCmPerM);
