@@ -23,6 +23,10 @@ uniform vec2 tipFromOver;    // Where tip colours begin, of the length, and over
 uniform float groupWidthM;   // Diameter of a hair whose width is 1.
 uniform float variationScale;
 uniform float sectionAxes;    // Of a fibre's section, 1 where it is round.
+// rendering::CoatAxis in the light's grid and the eye's.
+uniform vec4 lightCoatMiddle, lightCoatDown, lightCoatPerDown;
+uniform vec4 eyeCoatMiddle, eyeCoatDown, eyeCoatPerDown;
+uniform float outOfCoatVoxels;
 
 // As the software renderer has them.
 const float kDeepFrom = 0.3; // Coverings.
@@ -44,6 +48,18 @@ const float kSharpestTip = 1e-3; // Of the length.
 vec3 colourFromBytes(uint bits)
 {
     return linearFromSrgb(unpackUnorm4x8(bits).rgb);
+}
+
+// A position in a grid, moved across its z out of the coat where that faces the light, or the eye, or stands steep: as
+// grid_lookup_inl.h has it.
+vec3 outOfCoat(vec3 position, vec3 middle, vec3 down, vec3 perDown, float voxel)
+{
+    const float kFacesAway = 3.0; // Over the cosine from which on nothing is moved.
+    vec3 d = position - middle;
+    vec3 away = d - down * max(dot(d, perDown), 0.0);
+    float per = inversesqrt(max(dot(away, away), 1e-12));
+    float part = clamp(1.0 - away.z * per * kFacesAway, 0.0, 1.0);
+    return position + vec3(away.xy * (per * part * outOfCoatVoxels * voxel), 0.0);
 }
 
 // Before a point between the columns around, in the one with the least.
@@ -85,10 +101,16 @@ void main()
     // Light that reaches this point through the other hair: from the light, and from all around on the eye's side.
     // A little before this point, so that a strand does not shade itself.
     vec3 voxel = vec3(0.0, 0.0, 1.0 / float(textureSize(opacityToLight, 0).z));
-    vec3 seen = inEyeGrid(vec3(across, clip.w)) - 1.5 * voxel;
-    float towardEye = texture(opacityToEye, seen).x;
+    vec3 before = outOfCoatVoxels * voxel;
+    vec3 seen = inEyeGrid(vec3(across, clip.w)) - before;
+    float inFront = texture(opacityToEye, seen).x;
+    // Out of the coat there may be less, not more.
+    float towardEye = min(inFront, texture(opacityToEye, outOfCoat(seen, eyeCoatMiddle.xyz, eyeCoatDown.xyz, eyeCoatPerDown.xyz,
+                                                                   voxel.z)).x);
     float further = texture(opacityToEye, seen + voxel).x;
-    float towardKey = texture(opacityToLight, (gridFromWo[0] * vec4(position, 1.0)).xyz - 1.5 * voxel).x;
+    vec3 lightward = outOfCoat((gridFromWo[0] * vec4(position, 1.0)).xyz - before, lightCoatMiddle.xyz, lightCoatDown.xyz,
+                               lightCoatPerDown.xyz, voxel.z);
+    float towardKey = texture(opacityToLight, lightward).x;
     float column = texture(opacityToEye, vec3(seen.xy, 1.0)).x;
 
     // Thickness is measured across the walk's main direction, so slanted strands need more.
@@ -110,8 +132,8 @@ void main()
         lean = section.lean;
     }
     width = min(width, kGreatestWidth) * min(slant, kMostSlant);
-    float before = inEveryColumn ? inColumnWithLeast(seen) : towardEye;
-    width = clip.w > kNearestDrawnM && before < undrawnCoverings ? width : 0.0;
+    float hiding = inEveryColumn ? inColumnWithLeast(seen) : inFront;
+    width = clip.w > kNearestDrawnM && hiding < undrawnCoverings ? width : 0.0;
 
     // Pigment fades evenly toward the tip.
     float variation = styles[slot].variation;
@@ -122,7 +144,7 @@ void main()
     float tip = clamp((s - tipFrom) / max(tipFromOver.y * (1.0 - tipFrom), kSharpestTip), 0.0, 1.0);
     HairPoint point = HairPoint(position, tangent, mix(lightShownAs(rootColour), lightShownAs(tipColour), tip),
                                 mix(fibreDepth(rootColour), fibreDepth(tipColour), tip), turnedBy(variation) + lean, towardKey,
-                                towardEye, max(column - towardEye, 0.0), styles[slot].shine * glint, styles[slot].sharpness);
+                                towardEye, max(column - inFront, 0.0), styles[slot].shine * glint, styles[slot].sharpness);
     vec3 lit = hairLight(point, material.x, material.y);
 
     uint depth = uint(clamp(depthOf(clip.w), 0.0, 65535.0));

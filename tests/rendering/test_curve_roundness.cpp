@@ -84,6 +84,7 @@ StrandView viewFrom(float distanceM, float toleranceSp)
     return {.projectionFromWo = constants.projectionFromWo,
             .gridFromWo = constants.gridFromWo[0],
             .eyeGrid = {},
+            .coatAxes = {},
             .opacity = {empty.data(), empty.data()},
             .gridSide = kGridSide,
             .sizeSp = glm::vec2(constants.target),

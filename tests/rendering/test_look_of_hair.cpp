@@ -4,7 +4,10 @@
 #include "view/rendering/software/software_renderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <span>
+#include <vector>
 
 using namespace hairpaint::rendering;
 
@@ -28,13 +31,13 @@ double lightOver(const Picture& picture, int x0, int y0, int x1, int y1)
     return sum;
 }
 
-/// The pixels' greatest channels, of the hundredth that is lightestOf.
+/// The pixels' greatest channels, of the hundredth that is lightest, in the middle half of the columns.
 double lightestOf(const Picture& picture)
 {
     std::vector<int> light;
-    light.reserve(picture.pixels.size() / 4);
+    light.reserve(picture.pixels.size() / 8);
     for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x) {
+        for (int x = picture.width / 4; x < picture.width * 3 / 4; ++x) {
             const glm::ivec3 pixel = picture.at(x, y);
             light.push_back(std::max({pixel.x, pixel.y, pixel.z}));
         }
@@ -44,6 +47,43 @@ double lightestOf(const Picture& picture)
     for (std::size_t i = first; i < light.size(); ++i)
         sum += light[i];
     return sum / static_cast<double>(light.size() - first);
+}
+
+/// Hair combed over a ball from its top down, in a coat of some layers.
+std::vector<HandMadeStrand> combedDown()
+{
+    constexpr int kHairs = 16000;
+    constexpr int kNodes = 12;
+    constexpr float kCoatM = 0.0015F;
+    constexpr float kLowestRad = 2.4F;
+    std::vector<HandMadeStrand> strands(kHairs);
+    for (int i = 0; i < kHairs; ++i) {
+        HandMadeStrand& strand = strands[static_cast<std::size_t>(i)];
+        const auto golden = static_cast<float>(i) * 0.618034F;
+        const float around = 6.2831853F * (golden - std::floor(golden));
+        const float above = 1.005F + kCoatM / kBall.x * static_cast<float>(i % 7);
+        strand.style.rootColour = strand.style.tipColour = 0xFF101A28U;
+        strand.nodesWo.resize(kNodes);
+        for (int node = 0; node < kNodes; ++node) {
+            const float down = 0.1F + kLowestRad * static_cast<float>(node) / static_cast<float>(kNodes - 1);
+            strand.nodesWo[static_cast<std::size_t>(node)] =
+                kBall * above *
+                glm::vec3(std::sin(down) * std::cos(around), std::cos(down), std::sin(down) * std::sin(around));
+        }
+    }
+    return strands;
+}
+
+/// The greatest part by which light along a row lies off the line between what is left and right of it.
+double offTheLine(std::span<const double> light)
+{
+    constexpr std::size_t kAside = 4;
+    double most = 0.0;
+    for (std::size_t i = kAside; i + kAside < light.size(); ++i) {
+        const double line = 0.5 * (light[i - kAside] + light[i + kAside]);
+        most = std::max(most, std::abs(light[i] - line) / std::max(line, 1.0));
+    }
+    return most;
 }
 
 } // namespace
@@ -125,6 +165,35 @@ private Q_SLOTS:
         const double mirror = lightestOf(drawnCoat(software, 65535));
         QVERIFY2(mirror > natural + 4.0 && natural > matte + 2.0,
                  qPrintable(QStringLiteral("%1 %2 %3").arg(matte).arg(natural).arg(mirror)));
+    }
+
+    void smoothHairHasNoBandsWhereItTurnsFromTheEye_data() { byRenderer(); }
+    void smoothHairHasNoBandsWhereItTurnsFromTheEye()
+    {
+        QFETCH(bool, software);
+        Scene scene = emptyScene();
+        scene.background = glm::vec3(0.0F);
+        scene.head = makeBall(kBall);
+        scene.camera.distanceM *= 0.5F;
+        sim::GroupSettings settings = plainSettings();
+        settings.material.widthM = 300e-6F;
+        scene.hair = makeFrame(combedDown(), settings);
+        const Picture picture = drawnBy(software, scene);
+        const int middle = kLookHeight / 2;
+        int last = kLookWidth - 1;
+        while (last > 0 && lightOver(picture, last, middle, last + 1, middle + 1) < 30.0)
+            --last;
+        // From where the coat leans by 40 degrees to where the silhouette begins.
+        const int radius = last - kLookWidth / 2;
+        QVERIFY2(radius > 30, qPrintable(QString::number(radius)));
+        std::vector<double> right;
+        std::vector<double> left;
+        for (int x = radius * 64 / 100; x < radius * 96 / 100; ++x) {
+            right.push_back(lightOver(picture, kLookWidth / 2 + x, middle - 8, kLookWidth / 2 + x + 1, middle + 8));
+            left.push_back(lightOver(picture, kLookWidth / 2 - x, middle - 8, kLookWidth / 2 - x + 1, middle + 8));
+        }
+        QVERIFY2(offTheLine(right) < 0.012 && offTheLine(left) < 0.012,
+                 qPrintable(QStringLiteral("%1 %2").arg(offTheLine(right)).arg(offTheLine(left))));
     }
 
     void frizzIsSeenAndBothRenderersDrawTheSame()

@@ -3,6 +3,7 @@
 
 #include "sim/groom/strand_curve.h"
 #include "sim/groom/strand_look.h"
+#include "view/rendering/coat_axis.h"
 #include "view/rendering/drawn_fraction.h"
 
 #include <epoxy/gl.h>
@@ -169,6 +170,15 @@ void HairPass::fillGrid(const FrameConstants& constants)
         dispatch(static_cast<std::size_t>(kGridSide) * kGridSide);
     }
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+    m_shade.use();
+    m_shade.set("outOfCoatVoxels", kOutOfCoatVoxels);
+    const std::array<CoatAxis, 2> axes = coatAxes(constants);
+    m_shade.set("lightCoatMiddle", glm::vec4(axes[0].middle, 1.0F));
+    m_shade.set("lightCoatDown", glm::vec4(axes[0].down, 0.0F));
+    m_shade.set("lightCoatPerDown", glm::vec4(axes[0].perDown, 0.0F));
+    m_shade.set("eyeCoatMiddle", glm::vec4(axes[1].middle, 1.0F));
+    m_shade.set("eyeCoatDown", glm::vec4(axes[1].down, 0.0F));
+    m_shade.set("eyeCoatPerDown", glm::vec4(axes[1].perDown, 0.0F));
 }
 
 void HairPass::addPieces(int groupId, std::uint32_t piecePoints)

@@ -6,7 +6,7 @@
 #define HAIRPAINT_RENDERING_GRID_LOOKUP_INL_H_
 #endif
 
-#include "view/rendering/eye_grid.h"
+#include "view/rendering/coat_axis.h"
 #include "view/rendering/light/hair_light.h"
 #include "view/rendering/light/lanes_inl.h"
 
@@ -30,6 +30,18 @@ HWY_INLINE Triple<Lanes> inEyeGrid(const EyeGrid& grid, Lanes x, Lanes y, Lanes 
 {
     return {(x - Lanes(grid.low.x)) * Lanes(grid.per.x), (y - Lanes(grid.low.y)) * Lanes(grid.per.y),
             (distanceM - Lanes(grid.low.z)) * Lanes(grid.per.z) - Lanes(before)};
+}
+
+/// A position in a grid, moved across its z out of the coat where that faces the light, or the eye, or stands steep.
+HWY_INLINE Triple<Lanes> outOfCoat(const Triple<Lanes>& position, const CoatAxis& axis, int side)
+{
+    constexpr float kFacesAway = 3.0F; ///< Over the cosine from which on nothing is moved.
+    const Triple<Lanes> d = position - tripleOf<Lanes>(axis.middle);
+    const Triple<Lanes> out = d - tripleOf<Lanes>(axis.down) * most(dot(d, tripleOf<Lanes>(axis.perDown)), 0.0F);
+    const Lanes per = Lanes(1.0F) / root(most(dot(out, out), 1e-12F));
+    const Lanes part = clamped(Lanes(1.0F) - out.z * per * Lanes(kFacesAway), 0.0F, 1.0F);
+    const Lanes move = per * part * Lanes(kOutOfCoatVoxels / static_cast<float>(side));
+    return {position.x + out.x * move, position.y + out.y * move, position.z};
 }
 
 /// Where a point lies between the middles of voxels; the outermost ones go on.

@@ -138,6 +138,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
         group.view = {.projectionFromWo = constants.projectionFromWo,
                       .gridFromWo = constants.gridFromWo[0],
                       .eyeGrid = m_grids.eyeGrid(),
+                      .coatAxes = coatAxes(constants),
                       .opacity = {m_grids.grid(0), m_grids.grid(1)},
                       .gridSide = kGridSide,
                       .sizeSp = glm::vec2(constants.target),

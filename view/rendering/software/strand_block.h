@@ -3,7 +3,7 @@
 
 #include "sim/groom/group_settings.h"
 #include "sim/groom/strand_look.h"
-#include "view/rendering/eye_grid.h"
+#include "view/rendering/coat_axis.h"
 #include "view/rendering/light/hair_light.h"
 
 #include <glm/glm.hpp>
@@ -77,6 +77,7 @@ struct StrandView
     glm::mat4 projectionFromWo{1.0F};
     glm::mat4 gridFromWo{1.0F}; ///< Of the light's grid.
     EyeGrid eyeGrid;
+    std::array<CoatAxis, 2> coatAxes;              ///< In the light's grid, the eye's.
     std::array<const std::uint32_t*, 2> opacity{}; ///< [side][side][side] toward the light, the eye.
     int gridSide = 0;
     glm::vec2 sizeSp{0.0F};   ///< The picture, samples.

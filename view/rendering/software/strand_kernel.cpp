@@ -20,6 +20,7 @@ namespace hairpaint::rendering::HWY_NAMESPACE {
 
 constexpr float kDeepFrom = 0.3F; ///< Coverings: from where on fewer hairs are drawn for all, and as few as may be.
 constexpr float kDeepTo = 1.6F;
+constexpr float kLeastShade = 0.05F;    ///< Coverings: less needs no second look at what casts it.
 constexpr float kGreatestWidth = 24.0F; ///< Samples: wider strands would look like straw.
 constexpr float kMostSlant = 1.42F;
 constexpr int kMostJoinedSpans = 4; ///< In one segment: light is known at its ends only.
@@ -196,7 +197,7 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
     const Triple<Lanes> tipLight = lightShownAs(tipColour);
     const float* pointsWo = out.pointsWo.data() + lane;
     const auto at = [&](int j) { return loaded3(pointsWo + static_cast<std::size_t>(j) * kRow); };
-    const float before = 1.5F / static_cast<float>(view.gridSide); // A strand does not shade itself.
+    const float before = kOutOfCoatVoxels / static_cast<float>(view.gridSide);
     Triple<Lanes> last = at(0);
     Triple<Lanes> here = last;
     for (int j = 0; j <= segments; ++j) {
@@ -214,10 +215,9 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
         // What hides hair half lies nearer than what shades it.
         const Triple<Lanes> toEye = inEyeGrid(view.eyeGrid, across, up, clip.z, before);
         const OpacityTwice eyeward = opacityTwice(view.opacity[1], view.gridSide, toEye);
-        const Lanes towardEye = eyeward.here;
         const Lanes spread = own * wideningOf(view, order, eyeward.further);
         const Yes seen = (clip.z > Lanes(kNearestDrawnM)) &
-                         (Lanes(view.undrawnCoverings) > (view.inEveryColumn ? eyeward.inEveryColumn : towardEye)) &
+                         (Lanes(view.undrawnCoverings) > (view.inEveryColumn ? eyeward.inEveryColumn : eyeward.here)) &
                          (spread > Lanes(0.0F));
         if (!any(seen)) {
             stored(Lanes(0.0F), out.width.data() + row);
@@ -225,7 +225,15 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
             here = next;
             continue;
         }
-        const Lanes towardLight = opacityAt(view.opacity[0], view.gridSide, inGrid(view.gridFromWo, here, before));
+        const Triple<Lanes> toLight = outOfCoat(inGrid(view.gridFromWo, here, before), view.coatAxes[0], view.gridSide);
+        const Lanes towardLight = opacityAt(view.opacity[0], view.gridSide, toLight);
+        // Out of the coat there may be less, not more.
+        Lanes towardEye = eyeward.here;
+        const Yes shaded = towardEye > Lanes(kLeastShade);
+        if (any(shaded)) {
+            const Triple<Lanes> outside = outOfCoat(toEye, view.coatAxes[1], view.gridSide);
+            towardEye = select(shaded, least(towardEye, opacityAt(view.opacity[1], view.gridSide, outside)), towardEye);
+        }
         const float s = out.fraction[static_cast<std::size_t>(j)];
         const Triple<Lanes> tangent = unit(next - last);
 
@@ -247,7 +255,7 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
             least(spread * perW * alpha * section.width, Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
         stored(select(seen, width, Lanes(0.0F)), out.width.data() + row);
 
-        const Lanes behind = most(columnAt(view.opacity[1], view.gridSide, toEye) - towardEye, Lanes(0.0F));
+        const Lanes behind = most(columnAt(view.opacity[1], view.gridSide, toEye) - eyeward.here, Lanes(0.0F));
         const Lanes tip = clamped(Lanes(s) * tipScale + tipOffset, 0.0F, 1.0F);
         const Triple<Lanes> lit = hairLight(
             view.lighting, HairPoint<Lanes>{here, tangent, rootLight + (tipLight - rootLight) * tip,
