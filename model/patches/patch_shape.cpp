@@ -148,7 +148,7 @@ void wearOnPatch(Worn& worn, const PatchShape& shape, const sim::Skin& skin)
         return;
     }
     const sim::SurfacePoint& middle = pointNearest(shape, shape.middleHd);
-    if (worn.kind != WornKind::Hairpin) {
+    if (!spec.alongPatch) {
         sizeTo(worn, std::sqrt(shape.areaM2 / std::numbers::pi_v<float>));
         standOn(worn, middle);
         return;

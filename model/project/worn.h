@@ -122,6 +122,7 @@ struct WornSpec
     const char* sizeTitle = nullptr;      ///< What they call it; null: "Radius".
     /// Stands on the skin: moved over it, turned with it, its own z away from it.
     bool stands = false;
+    bool alongPatch = false; ///< As its patch it lies along it, and is half as long; others are as large as it.
     std::optional<sim::TieForm> tie = {}; ///< Gathers the hair of its patch; its own z is where hair leaves.
     float reach = 1.0F;                   ///< `mesh` lies within so many of the unit ball's radii.
     float tieHole = 0.0F;                 ///< Inner radius of a tie, in radii.
