@@ -232,7 +232,11 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
         const Yes shaded = towardEye > Lanes(kLeastShade);
         if (any(shaded)) {
             const Triple<Lanes> outside = outOfCoat(toEye, view.coatAxes[1], view.gridSide);
-            towardEye = select(shaded, least(towardEye, opacityAt(view.opacity[1], view.gridSide, outside)), towardEye);
+            const Lanes moved = most(magnitude(outside.x - toEye.x), magnitude(outside.y - toEye.y));
+            const Yes steep = shaded & (moved > Lanes(0.0F)); // What faces the eye stays.
+            if (any(steep))
+                towardEye =
+                    select(steep, least(towardEye, opacityAt(view.opacity[1], view.gridSide, outside)), towardEye);
         }
         const float s = out.fraction[static_cast<std::size_t>(j)];
         const Triple<Lanes> tangent = unit(next - last);
