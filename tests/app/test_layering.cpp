@@ -35,8 +35,8 @@ constexpr Layer kLayers[] = {
     {"app", R"(^tests/)"},
 };
 
-const QStringList kFloors{QStringLiteral("sim"), QStringLiteral("model"), QStringLiteral("view"),
-                          QStringLiteral("app")};
+const QStringList kFloorsWithRooms{QStringLiteral("sim"), QStringLiteral("model"), QStringLiteral("view"),
+                                   QStringLiteral("app")};
 
 /// A folder of a floor and the rooms of the same floor that its files may include.
 struct Room
@@ -125,7 +125,7 @@ private Q_SLOTS:
     void roomsUseOnlyThoseBeforeThem_data()
     {
         QTest::addColumn<QString>("floor");
-        for (const QString& floor : kFloors)
+        for (const QString& floor : kFloorsWithRooms)
             QTest::newRow(qPrintable(floor)) << floor;
     }
 
