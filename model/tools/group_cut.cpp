@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t kCurvesAtOnce = 512;
 constexpr float kLeastLengthM = 1e-6F; ///< Of hair that can be cut.
 constexpr float kLeastSpan = 1e-4F;
-constexpr float kStubbleM = 1e-3F; ///< From here down a fade's lengths differ evenly, so that it may end at nothing.
+constexpr float kStubbleM =
+    1e-3F; ///< Well below it a fade's lengths differ almost evenly, so that it may end at nothing.
 constexpr float kNowhere = std::numeric_limits<float>::max();
 
 } // namespace

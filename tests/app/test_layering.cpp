@@ -221,12 +221,9 @@ private Q_SLOTS:
         const QRegularExpression printing(QStringLiteral(
             R"(\b((stdout|stderr|STD(OUT|ERR)_FILENO|std::(cout|cerr|clog)|QTextStream)\b|(v?f?printf|f?puts|f?putc|putchar|perror)\())"));
         QStringList found;
-        for (const char* folder : {"app", "model", "view", "sim"}) {
-            QDirIterator walk(test::sourcePath(u"") + QLatin1String(folder),
-                              {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
-                              QDirIterator::Subdirectories);
-            while (walk.hasNext()) {
-                QFile file(walk.next());
+        for (const QString& floor : kFloorsWithRooms) {
+            for (const QString& path : sourcesIn(floor)) {
+                QFile file(path);
                 QVERIFY(file.open(QIODevice::ReadOnly));
                 if (printing.match(QString::fromUtf8(file.readAll())).hasMatch())
                     found.append(file.fileName().mid(test::sourcePath(u"").size()));
@@ -244,12 +241,9 @@ private Q_SLOTS:
     {
         const QRegularExpression tool(QStringLiteral(R"(\bToolId::[A-Z]\w*)"));
         int own = 0;
-        for (const char* folder : {"app", "model", "view", "sim"}) {
-            QDirIterator walk(test::sourcePath(u"") + QLatin1String(folder),
-                              {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
-                              QDirIterator::Subdirectories);
-            while (walk.hasNext()) {
-                QFile file(walk.next());
+        for (const QString& floor : kFloorsWithRooms) {
+            for (const QString& path : sourcesIn(floor)) {
+                QFile file(path);
                 QVERIFY(file.open(QIODevice::ReadOnly));
                 const QRegularExpressionMatch named = tool.match(QString::fromUtf8(file.readAll()));
                 if (!named.hasMatch())
