@@ -99,8 +99,10 @@ std::optional<PatchShape> shapeOf(const sim::PatchLabels& labels, std::size_t pa
         for (std::size_t texel = 0; texel < parts.size(); ++texel) {
             if (parts[texel] != part || seen++ % stride != 0)
                 continue;
-            const auto x = static_cast<float>(index % across * kTileSide + static_cast<int>(texel) % kTileSide);
-            const auto y = static_cast<float>(index / across * kTileSide + static_cast<int>(texel) / kTileSide);
+            const int column = index % across * kTileSide + static_cast<int>(texel) % kTileSide;
+            const int row = index / across * kTileSide + static_cast<int>(texel) / kTileSide;
+            const auto x = static_cast<float>(column);
+            const auto y = static_cast<float>(row);
             const auto point = islands.skin()->atUv({(x + 0.5F) * texelUv, 1.0F - (y + 0.5F) * texelUv});
             if (!point)
                 continue;
