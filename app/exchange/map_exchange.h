@@ -5,7 +5,7 @@
 #include "app/exchange/outside_edit.h"
 #include "app/session/session.h"
 #include "model/files/image_map.h"
-#include "model/tools/clipboard.h"
+#include "model/tools/selecting/clipboard.h"
 #include "view/dialogs/export_maps_dialog.h"
 #include "view/dialogs/image_reading_dialog.h"
 

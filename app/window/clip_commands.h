@@ -4,7 +4,7 @@
 #include "app/exchange/map_exchange.h"
 #include "app/session/session.h"
 #include "app/window/dropped_file.h"
-#include "model/tools/clipboard.h"
+#include "model/tools/selecting/clipboard.h"
 
 #include <QObject>
 

@@ -2,7 +2,7 @@
 // and map.
 #pragma once
 
-#include "model/tools/clipboard.h"
+#include "model/tools/selecting/clipboard.h"
 
 #include <QByteArray>
 

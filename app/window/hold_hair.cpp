@@ -1,7 +1,7 @@
 // Copies of what is painted on go to a job with the newest hair.
 #include "app/window/hold_hair.h"
 
-#include "model/tools/hold.h"
+#include "model/tools/combing/hold.h"
 #include "model/tools/live_edit.h"
 #include "model/values/sentences.h"
 

@@ -5,8 +5,8 @@
 #include "model/maps/tile_paint.h"
 #include "model/project/group_schema.h"
 #include "model/styles/style_use.h"
-#include "model/tools/fallen_hair.h"
-#include "model/tools/part_field.h"
+#include "model/tools/lying/fallen_hair.h"
+#include "model/tools/parting/part_field.h"
 #include "sim/groom/direction_texel.h"
 #include "sim/groom/strand_style.h"
 

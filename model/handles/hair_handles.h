@@ -3,7 +3,7 @@
 
 #include "model/document/document.h"
 #include "model/handles/handle_fields.h"
-#include "model/tools/skin_frames.h"
+#include "model/tools/strokes/skin_frames.h"
 
 #include <QString>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/project/project.h"
-#include "model/tools/skin_frames.h"
+#include "model/tools/strokes/skin_frames.h"
 
 #include <optional>
 #include <vector>

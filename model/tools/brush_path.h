@@ -1,7 +1,7 @@
 // The path of a brush over the skin, from pointer events to evenly spaced positions of dabs.
 #pragma once
 
-#include "model/tools/dab_shape.h"
+#include "model/tools/strokes/dab_shape.h"
 #include "model/tools/tool.h"
 
 #include <algorithm>

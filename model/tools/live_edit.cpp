@@ -1,7 +1,7 @@
 // Previews and commits of a tool's tiles.
 #include "model/tools/live_edit.h"
 
-#include "model/tools/selection.h"
+#include "model/tools/strokes/selection.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/maps/tile_paint.h"
-#include "model/tools/stroke_buffer.h"
+#include "model/tools/strokes/stroke_buffer.h"
 #include "model/tools/tool.h"
 
 #include <functional>

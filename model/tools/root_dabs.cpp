@@ -1,7 +1,7 @@
 // From what the picture shows under a brush to ellipses of texels.
 #include "model/tools/root_dabs.h"
 
-#include "model/tools/dab_shape.h"
+#include "model/tools/strokes/dab_shape.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // The strands that a brush meets in the 3D area's picture, as small dabs at their roots.
 #pragma once
 
-#include "model/tools/seen_hair.h"
-#include "model/tools/stroke_buffer.h"
+#include "model/tools/strokes/seen_hair.h"
+#include "model/tools/strokes/stroke_buffer.h"
 #include "model/tools/tool.h"
 
 #include <optional>

@@ -3,8 +3,8 @@
 
 #include "model/tools/brush_path.h"
 #include "model/tools/root_dabs.h"
-#include "model/tools/skin_frames.h"
-#include "model/tools/stroke_heading.h"
+#include "model/tools/strokes/skin_frames.h"
+#include "model/tools/strokes/stroke_heading.h"
 
 #include <memory>
 #include <optional>

@@ -1,6 +1,6 @@
 // Memory of the real window: what is gone from the work leaves nothing behind.
 #include "app/session/large_memory.h"
-#include "model/tools/clipboard.h"
+#include "model/tools/selecting/clipboard.h"
 #include "tests/app/program.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"

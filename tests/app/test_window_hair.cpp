@@ -1,7 +1,7 @@
 // Tools of the real window that work with the hair that is drawn: holding it as it lies, grabbing it, and the hairs
 // that tell its directions.
 #include "model/document/layer_commands.h"
-#include "model/tools/lying_hair.h"
+#include "model/tools/lying/lying_hair.h"
 #include "sim/groom/direction_texel.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"

@@ -1,7 +1,7 @@
 // Pixels a second of one dab into a stroke buffer, in the order of positions that the rival driver uses.
 #include "model/document/document.h"
-#include "model/tools/selection.h"
-#include "model/tools/stroke_buffer.h"
+#include "model/tools/strokes/selection.h"
+#include "model/tools/strokes/stroke_buffer.h"
 #include "model/tools/tool.h"
 #include "model/tools/tool_list.h"
 

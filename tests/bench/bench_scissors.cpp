@@ -4,8 +4,8 @@
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 #include "model/styles/style_use.h"
-#include "model/tools/seen_hair.h"
-#include "model/tools/selection.h"
+#include "model/tools/strokes/seen_hair.h"
+#include "model/tools/strokes/selection.h"
 #include "model/tools/tool_list.h"
 #include "sim/motion/simulation.h"
 

@@ -3,7 +3,7 @@
 
 #include "model/document/document.h"
 #include "model/document/layer_commands.h"
-#include "model/tools/selection.h"
+#include "model/tools/strokes/selection.h"
 #include "model/tools/tool.h"
 #include "sim/skin/skin.h"
 #include "tests/support/test_heads.h"

@@ -2,7 +2,7 @@
 // strand.
 #pragma once
 
-#include "model/tools/seen_hair.h"
+#include "model/tools/strokes/seen_hair.h"
 #include "sim/groom/strand_curve.h"
 #include "sim/motion/simulation.h"
 

@@ -1,5 +1,5 @@
 // Hair bent by one of its points.
-#include "model/tools/bent_hair.h"
+#include "model/tools/shaping/bent_hair.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>

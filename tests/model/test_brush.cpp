@@ -1,6 +1,6 @@
 // The brush on the skin: its size and shape in texels, its path, its seams.
 #include "model/tools/brush_path.h"
-#include "model/tools/dab_shape.h"
+#include "model/tools/strokes/dab_shape.h"
 #include "model/tools/tool_list.h"
 #include "tests/model/fixtures.h"
 #include "tests/support/test_program.h"

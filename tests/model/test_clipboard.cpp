@@ -1,6 +1,6 @@
 // Copy, cut, clear and paste, inside a map and between maps.
 #include "model/maps/compositor.h"
-#include "model/tools/clipboard.h"
+#include "model/tools/selecting/clipboard.h"
 #include "tests/model/fixtures.h"
 #include "tests/support/test_program.h"
 

@@ -1,7 +1,7 @@
 // Edits own what they show: whoever comes next ends them first, by their policy, and nothing done is lost.
 #include "model/document/layer_commands.h"
 #include "model/document/scene_commands.h"
-#include "model/tools/clipboard.h"
+#include "model/tools/selecting/clipboard.h"
 #include "tests/model/tool_studio.h"
 #include "tests/support/test_program.h"
 

@@ -1,6 +1,6 @@
 // Where long hair falls that nobody has combed, a stroke begins with how it lies.
 #include "model/files/head_file.h"
-#include "model/tools/fallen_hair.h"
+#include "model/tools/lying/fallen_hair.h"
 #include "sim/groom/direction_texel.h"
 #include "tests/model/tool_studio.h"
 #include "tests/support/test_program.h"

@@ -1,5 +1,5 @@
 // Cuts of all hair of a group: trimmed, to a level, in layers.
-#include "model/tools/group_cut.h"
+#include "model/tools/cutting/group_cut.h"
 #include "tests/model/hair_colour.h"
 #include "tests/model/side_view.h"
 #include "tests/model/tool_studio.h"

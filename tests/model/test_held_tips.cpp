@@ -3,7 +3,7 @@
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 #include "model/styles/preset.h"
-#include "model/tools/hold.h"
+#include "model/tools/combing/hold.h"
 #include "model/tools/live_edit.h"
 #include "sim/groom/direction_texel.h"
 #include "sim/motion/simulation.h"

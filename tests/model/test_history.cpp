@@ -5,7 +5,7 @@
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "model/styles/preset.h"
-#include "model/tools/clipboard.h"
+#include "model/tools/selecting/clipboard.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/tool_studio.h"
 #include "tests/support/test_program.h"

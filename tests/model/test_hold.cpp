@@ -1,6 +1,6 @@
 // Hair held as it lies: from drawn strands to the direction map and the gel map.
 #include "model/document/paint_command.h"
-#include "model/tools/hold.h"
+#include "model/tools/combing/hold.h"
 #include "model/tools/live_edit.h"
 #include "sim/groom/direction_texel.h"
 #include "sim/motion/simulation.h"

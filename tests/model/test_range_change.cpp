@@ -4,7 +4,7 @@
 
 #include "model/maps/compositor.h"
 #include "model/project/group_schema.h"
-#include "model/tools/clipboard.h"
+#include "model/tools/selecting/clipboard.h"
 #include "tests/model/fixtures.h"
 #include "tests/sim/groom_reading.h"
 #include "tests/support/test_program.h"

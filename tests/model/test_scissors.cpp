@@ -1,6 +1,6 @@
 // Scissors: what a line over the picture leaves in the length map.
 #include "model/document/layer_commands.h"
-#include "model/tools/cut_pieces.h"
+#include "model/tools/cutting/cut_pieces.h"
 #include "sim/groom/strand_style.h"
 #include "tests/model/side_view.h"
 #include "tests/model/tool_studio.h"

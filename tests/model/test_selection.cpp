@@ -1,7 +1,7 @@
 // The selection: what is added to it, what inverting leaves, and that nothing happens outside of it.
-#include "model/tools/clipboard.h"
 #include "model/tools/live_edit.h"
-#include "model/tools/selection.h"
+#include "model/tools/selecting/clipboard.h"
+#include "model/tools/strokes/selection.h"
 #include "tests/model/tool_studio.h"
 #include "tests/support/test_program.h"
 

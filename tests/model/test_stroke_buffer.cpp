@@ -1,5 +1,5 @@
 // The dab kernel against its formula, texel for texel.
-#include "model/tools/stroke_buffer.h"
+#include "model/tools/strokes/stroke_buffer.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

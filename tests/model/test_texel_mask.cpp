@@ -1,6 +1,6 @@
 // Sets of texels do what sets of single texels would.
 #include "model/files/head_file.h"
-#include "model/tools/uv_cover.h"
+#include "model/tools/painting/uv_cover.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>

@@ -1,7 +1,7 @@
 // Cuts all hair of a group: trimmed, to a level, in layers, as a fade.
 #pragma once
 
-#include "model/tools/group_cut.h"
+#include "model/tools/cutting/group_cut.h"
 #include "view/editing/editor_state.h"
 
 #include <QDialog>

@@ -1,8 +1,8 @@
 // The active tool, its settings and its stroke.
 #pragma once
 
-#include "model/tools/cut_pieces.h"
-#include "model/tools/selection.h"
+#include "model/tools/cutting/cut_pieces.h"
+#include "model/tools/strokes/selection.h"
 #include "model/tools/tool.h"
 #include "model/tools/value_amounts.h"
 

@@ -1,7 +1,7 @@
 // Cut hair that falls and fades.
 #pragma once
 
-#include "model/tools/cut_pieces.h"
+#include "model/tools/cutting/cut_pieces.h"
 #include "view/picking/skin_depths.h"
 #include "view/rendering/scene.h"
 

@@ -1,7 +1,7 @@
 // Which strands of a picture lie under a brush.
 #pragma once
 
-#include "model/tools/seen_hair.h"
+#include "model/tools/strokes/seen_hair.h"
 #include "view/picking/picture_brush.h"
 #include "view/picking/picture_hair.h"
 

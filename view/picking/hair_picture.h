@@ -1,7 +1,7 @@
 // The hair of a group as one picture of the 3D area shows it, and which of its strands a brush or a line meets.
 #pragma once
 
-#include "model/tools/seen_hair.h"
+#include "model/tools/strokes/seen_hair.h"
 #include "view/picking/picture_hair.h"
 
 #include <QSize>

@@ -1,7 +1,7 @@
 // Which strands of a picture cross a line or go into an outline.
 #pragma once
 
-#include "model/tools/seen_hair.h"
+#include "model/tools/strokes/seen_hair.h"
 #include "view/picking/line_rows.h"
 #include "view/picking/picture_hair.h"
 

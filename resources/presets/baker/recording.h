@@ -3,7 +3,7 @@
 
 #include "model/document/command_ptr.h"
 #include "model/styles/preset.h"
-#include "model/tools/selection.h"
+#include "model/tools/strokes/selection.h"
 #include "model/tools/tool.h"
 #include "model/tools/tool_list.h"
 

@@ -1,0 +1,36 @@
+// A stroke of the comb that holds hair as it lies: the direction map and the gel map in one step.
+#pragma once
+
+#include "model/tools/brush_path.h"
+#include "model/tools/live_edit.h"
+#include "model/tools/lying/lying_hair.h"
+
+#include <optional>
+
+namespace hairpaint::model {
+
+/// Takes how hair lies when it begins: what it changes moves the hair. One stroke at a time.
+class HoldStroke
+{
+public:
+    /// False where there is no hair, or no layer that can be painted on.
+    [[nodiscard]] bool begin(const ToolContext& context, const QString& step);
+    void moveTo(const ToolEvent& event, const ToolContext& context);
+    void cancel();
+    void commit();
+    [[nodiscard]] bool active() const { return m_edit.active(); }
+
+private:
+    void dab(const BrushSample& sample, const ToolContext& context);
+    void show(const ToolContext& context);
+    void drop();
+
+    LiveEdit m_edit;                  ///< Of the direction layer.
+    std::optional<std::size_t> m_gel; ///< The gel layer's number in it.
+    std::optional<LyingField> m_field;
+    std::shared_ptr<const sim::TiledRaster> m_shownGel;
+    std::optional<StrokeBuffer> m_masks, m_gelMasks;
+    std::optional<BrushPath> m_path;
+};
+
+} // namespace hairpaint::model

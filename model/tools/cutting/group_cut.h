@@ -1,0 +1,78 @@
+// Cuts of all hair of a group at once: trimmed all round, to a level, in layers.
+#pragma once
+
+#include "model/tools/cutting/cut_lengths.h"
+#include "model/tools/cutting/cut_tips.h"
+#include "model/tools/cutting/strand_lengths.h"
+#include "model/tools/live_edit.h"
+#include "sim/motion/strand_frame.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// How long hair may be between two points of the head; what is shorter stays as it is.
+struct GradedLengths
+{
+    glm::vec3 topHd{0.0F};
+    glm::vec3 bottomHd{0.0F};
+    float topM = 0.1F;    ///< At the top, m.
+    float bottomM = 0.3F; ///< At the bottom.
+    /// A fade: between their heights, each millimetre down by much the same factor, as clipper guards follow each
+    /// other. Else layers: by the distance from the top, each by the same length.
+    bool fades = false;
+    /// 0..1: where on that it begins to change, and where it ends.
+    float from = 0.0F, to = 1.0F;
+
+    [[nodiscard]] float lengthM(glm::vec3 rootHd) const;
+};
+
+/// A running cut of a group's drawn hair: each call replaces what the one before showed. The hair is cut as it lay when
+/// this was made; inside the selection, on the length layer that is the target; tip
+/// colours that are cut off are gone. GUI thread.
+class GroupCut
+{
+public:
+    /// `text`: what the undo step will be called. `frame` holds hair of the group, every hair positioned.
+    GroupCut(ToolContext& context, std::shared_ptr<const sim::StrandFrame> frame, const QString& text);
+
+    /// False where the layer is missing, hidden or locked, or where there is no hair.
+    [[nodiscard]] bool active() const { return m_edit.active(); }
+    [[nodiscard]] float longestM() const; ///< Of the hairs, as the map has them.
+    [[nodiscard]] float lowestHd();       ///< The height to which drawn hair hangs.
+    /// Where hair stands.
+    [[nodiscard]] std::pair<glm::vec3, glm::vec3> lowestAndHighestRoot() const;
+
+    /// Every hair by as much, but none to less than `leastM`.
+    void trim(float byM, float leastM);
+    /// Every hair where it first goes below, curls and all.
+    void toLevel(float heightHd);
+    void grade(const GradedLengths& lengths);
+
+    void commit() { m_edit.commit(); }
+    void cancel() { m_edit.cancel(); }
+
+private:
+    /// `keptOf(slot, lengthM)`: the fraction of that length that stays; 1 and more: all. A baby hair's is what the map
+    /// tells.
+    void cut(const std::function<float(std::uint32_t slot, float lengthM)>& keptOf);
+    [[nodiscard]] const sim::Groom& groom() const { return *m_hair->groom; }
+    void measureHeights();
+    /// `visit(slot, points)` for each drawn hair, points in head space. Several threads.
+    void forEachCurve(const std::function<bool(std::uint32_t)>& wanted,
+                      const std::function<void(std::uint32_t, std::span<const glm::vec3>)>& visit) const;
+
+    std::shared_ptr<const sim::StrandFrame> m_frame;
+    const sim::GroupFrame* m_hair = nullptr; ///< In the frame.
+    LiveEdit m_edit;
+    std::optional<CutLengths> m_lengths;
+    std::optional<CutTips> m_tips;
+    std::optional<StrandLengths> m_before;
+    std::vector<float> m_lowestHd; ///< By slot; empty until it is asked for.
+};
+
+} // namespace hairpaint::model

@@ -1,0 +1,51 @@
+// How hair lies where a direction map only tells how it grows.
+#pragma once
+
+#include "model/tools/strokes/skin_frames.h"
+#include "model/tools/strokes/stroke_buffer.h"
+#include "model/tools/tool.h"
+
+#include <optional>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// Long hair that nobody has combed falls to its side, whatever the natural stream under it. A comb's soft edge must
+/// lead from there to what the comb lays, or hair at the edge would lie in the direction in which it grows: over the
+/// face. As the maps were when this was made. One thread, but for under().
+class FallenHair
+{
+public:
+    /// Of the target's group. `size`: of the direction map. Both must outlive it.
+    FallenHair(const ToolContext& context, SkinFrames& frames, int size);
+    /// Of a group of these settings and resolved maps; nothing falls where one of them is null.
+    FallenHair(const sim::GroupSettings& settings, sim::MapRaster natural, sim::MapRaster direction,
+               sim::MapRaster length, SkinFrames& frames, int size);
+
+    /// The direction in which hair lies there, in the frame of that point of the skin.
+    [[nodiscard]] glm::vec2 at(glm::vec2 uv);
+    /// Makes a tile ready for under().
+    void look(int tileIndex);
+    /// A direction layer's tile, painted where the mask is above 0 and hair lies otherwise than the map tells, with how
+    /// it lies.
+    [[nodiscard]] sim::RasterTilePtr under(int tileIndex, const sim::RasterTilePtr& before,
+                                           const StrokeBuffer::MaskTile& mask) const;
+
+private:
+    using Texels = std::vector<std::optional<sim::Texel>>; ///< [64][64]; none where hair lies as the map tells.
+
+    /// None where it lies as the map tells.
+    [[nodiscard]] std::optional<glm::vec2> fallenAt(glm::vec2 uv);
+    [[nodiscard]] glm::vec2 toldAt(glm::vec2 uv) const;
+
+    SkinFrames* m_frames;
+    int m_size;
+    int m_tilesAcross;
+    sim::GroupSettings m_settings;
+    sim::MapRaster m_natural; ///< Null where the head has none.
+    sim::MapRaster m_direction;
+    sim::MapRaster m_length;
+    std::vector<std::optional<Texels>> m_tiles; ///< Empty: not looked at yet.
+};
+
+} // namespace hairpaint::model
