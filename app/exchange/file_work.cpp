@@ -73,7 +73,7 @@ void FileWork::complainOf(WorkEnd end, const model::Error* error, const QString&
         complain(error->message);
 }
 
-Doing FileWork::readingOf(const QString& path)
+Doing FileWork::readWork(const QString& path)
 {
     const QString name = QFileInfo(path).fileName();
     return {.text = tr("Reading %1").arg(name), .whenCancelled = tr("The file '%1' was not read: cancelled").arg(name)};

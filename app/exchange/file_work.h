@@ -50,7 +50,7 @@ Q_SIGNALS:
     void dialogMade(QDialog& dialog, hairpaint::view::HelpDialog::Topic topic);
 
 private:
-    [[nodiscard]] static Doing readingOf(const QString& path);
+    [[nodiscard]] static Doing readWork(const QString& path);
     /// Whether there is no error to report: it succeeded or was cancelled.
     void complainOf(WorkEnd end, const model::Error* error, const QString& path, model::Phrase phrase);
 
@@ -63,7 +63,7 @@ private:
 template<typename T>
 std::optional<T> FileWork::read(const QString& path, Work<T> work)
 {
-    Awaited<T> awaited = m_jobs.awaitOrLeave<T>(readingOf(path), std::move(work));
+    Awaited<T> awaited = m_jobs.awaitOrLeave<T>(readWork(path), std::move(work));
     const bool failed = awaited.result && !*awaited.result;
     complainOf(awaited.end, failed ? &awaited.result->error() : nullptr, path, model::cannotOpen);
     if (awaited.end != WorkEnd::Done || failed)

@@ -248,7 +248,7 @@ tl::expected<wire::Image, wire::Reason> readImage(const std::string& path, bool 
     return readOpened(*input, tags, isColour);
 }
 
-tl::expected<wire::Bytes, wire::Reason> encodeImage(const wire::EncodeRequest& request, bool isColour)
+tl::expected<wire::Bytes, wire::Reason> encodeImageFile(const wire::EncodeRequest& request, bool isColour)
 {
     setGlobals();
     const auto output = OIIO::ImageOutput::create(request.ending);

@@ -13,6 +13,7 @@ namespace hairpaint::importer {
 
 /// The file's bytes, for an ending such as "png". `isColour`: it holds sRGB, which becomes linear light in a format of
 /// floats.
-[[nodiscard]] tl::expected<wire::Bytes, wire::Reason> encodeImage(const wire::EncodeRequest& request, bool isColour);
+[[nodiscard]] tl::expected<wire::Bytes, wire::Reason> encodeImageFile(const wire::EncodeRequest& request,
+                                                                      bool isColour);
 
 } // namespace hairpaint::importer

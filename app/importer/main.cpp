@@ -89,7 +89,7 @@ std::optional<wire::Bytes> answerTo(Request request)
             return std::nullopt;
         request.body = {};
         (void)importer::enterSandbox({});
-        const auto file = importer::encodeImage(*encode, isColour);
+        const auto file = importer::encodeImageFile(*encode, isColour);
         return file ? *file : wire::encodeRefusal(file.error());
     }
     const std::optional<std::string> path = wire::decodePath(request.body);

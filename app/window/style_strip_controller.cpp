@@ -7,7 +7,7 @@ namespace hairpaint::app {
 
 namespace {
 
-struct StyleList
+struct FoundStyles
 {
     std::vector<model::PresetEntry> entries;
     QStringList problems;
@@ -48,15 +48,15 @@ StyleStripController::StyleStripController(view::StyleStrip& strip, StyleFiles& 
 
 void StyleStripController::refresh()
 {
-    m_jobs.start<StyleList>(
+    m_jobs.start<FoundStyles>(
         tr("Reading the styles"),
-        [](const model::Progress&) -> model::Result<StyleList> {
-            StyleList list;
+        [](const model::Progress&) -> model::Result<FoundStyles> {
+            FoundStyles list;
             list.entries = listStyles(&list.problems);
             return list;
         },
         this,
-        [this, number = ++m_newest](const model::Result<StyleList>& list) {
+        [this, number = ++m_newest](const model::Result<FoundStyles>& list) {
             if (number != m_newest)
                 return; // It was asked for again meanwhile.
             m_pictures.forget();

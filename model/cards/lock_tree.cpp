@@ -57,7 +57,7 @@ private:
     float m_weight = 0.0F;
 };
 
-struct Candidate
+struct DividedLock
 {
     HairLock lock;
     double error = 0.0; ///< Weighed sum of squared distances.
@@ -69,9 +69,9 @@ class Divider
 public:
     Divider(const SampledHair& hair, std::span<const float> weights) : m_hair(hair), m_weights(weights) {}
 
-    [[nodiscard]] Candidate candidate(std::vector<std::uint32_t> hairs)
+    [[nodiscard]] DividedLock dividedLock(std::vector<std::uint32_t> hairs)
     {
-        Candidate made;
+        DividedLock made;
         PathMean mean;
         for (const std::uint32_t i : hairs)
             mean.add(m_hair.samples(i), m_weights[i]);
@@ -91,7 +91,7 @@ public:
     }
 
     /// None where all hairs are alike.
-    [[nodiscard]] std::optional<std::pair<Candidate, Candidate>> halves(const HairLock& lock)
+    [[nodiscard]] std::optional<std::pair<DividedLock, DividedLock>> halves(const HairLock& lock)
     {
         Path left = samplesOf(farthestFrom(lock.meanWo, lock.hairs));
         Path right = samplesOf(farthestFrom(left, lock.hairs));
@@ -112,7 +112,7 @@ public:
             (isLeft(m_hair.samples(i), left, right) ? leftHairs : rightHairs).push_back(i);
         if (leftHairs.empty() || rightHairs.empty())
             return std::nullopt;
-        return std::pair(candidate(std::move(leftHairs)), candidate(std::move(rightHairs)));
+        return std::pair(dividedLock(std::move(leftHairs)), dividedLock(std::move(rightHairs)));
     }
 
 private:
@@ -168,27 +168,27 @@ std::vector<HairLock> dividedIntoLocks(const SampledHair& hair, std::vector<std:
 {
     constexpr int kMostRefusals = 16;
     Divider divider(hair, weights);
-    const auto less = [](const Candidate& a, const Candidate& b) { return a.error < b.error; };
-    std::vector<Candidate> open;
+    const auto less = [](const DividedLock& a, const DividedLock& b) { return a.error < b.error; };
+    std::vector<DividedLock> open;
     int used = 0;
     for (std::vector<std::uint32_t>& hairs : sets) {
         if (hairs.empty())
             continue;
-        open.push_back(divider.candidate(std::move(hairs)));
+        open.push_back(divider.dividedLock(std::move(hairs)));
         used += open.back().triangles;
     }
     std::ranges::make_heap(open, less);
     std::vector<HairLock> locks;
     for (int refusals = 0; !open.empty();) {
         std::ranges::pop_heap(open, less);
-        Candidate next = std::move(open.back());
+        DividedLock next = std::move(open.back());
         open.pop_back();
         if (next.lock.spreadM > kAlikeM && refusals < kMostRefusals) {
             auto halves = divider.halves(next.lock);
             const int more = halves ? halves->first.triangles + halves->second.triangles - next.triangles : 0;
             if (halves && used + more <= triangles) {
                 used += more;
-                for (Candidate* half : {&halves->first, &halves->second}) {
+                for (DividedLock* half : {&halves->first, &halves->second}) {
                     open.push_back(std::move(*half));
                     std::ranges::push_heap(open, less);
                 }

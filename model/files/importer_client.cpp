@@ -172,7 +172,7 @@ Result<RiggedMesh> ImporterClient::readMesh(const QString& path, const Progress&
 Result<void> ImporterClient::writeImage(const ForeignImage& image, const QString& path, int bits,
                                         const Progress& progress)
 {
-    return withinMemory(path, cannotWrite, [&] { return encodeImage(image, path, bits, progress); });
+    return withinMemory(path, cannotWrite, [&] { return encodeImageFile(image, path, bits, progress); });
 }
 
 std::optional<HelperSandbox> ImporterClient::sandbox()
@@ -222,8 +222,8 @@ Result<RiggedMesh> ImporterClient::decodeMesh(const QString& path, const Progres
     return std::move(*mesh);
 }
 
-Result<void> ImporterClient::encodeImage(const ForeignImage& image, const QString& path, int bits,
-                                         const Progress& progress)
+Result<void> ImporterClient::encodeImageFile(const ForeignImage& image, const QString& path, int bits,
+                                             const Progress& progress)
 {
     wire::EncodeRequest request{.bits = bits <= 8 ? 8U : 16U,
                                 .ending = QFileInfo(path).suffix().toLower().toStdString(),

@@ -57,8 +57,8 @@ public:
 private:
     [[nodiscard]] Result<ForeignImage> decodeImage(const QString& path, bool areColours, const Progress& progress);
     [[nodiscard]] Result<RiggedMesh> decodeMesh(const QString& path, const Progress& progress);
-    [[nodiscard]] Result<void> encodeImage(const ForeignImage& image, const QString& path, int bits,
-                                           const Progress& progress);
+    [[nodiscard]] Result<void> encodeImageFile(const ForeignImage& image, const QString& path, int bits,
+                                               const Progress& progress);
 
     std::unique_ptr<HelperRun> m_helper;
 };

@@ -128,7 +128,7 @@ std::vector<PartRange> rangesOf(const RiggedMesh& mesh)
     return ranges;
 }
 
-MeshPart packed(RiggedMesh& mesh, std::span<const MeshPart> grown)
+MeshPart withPackedLayouts(RiggedMesh& mesh, std::span<const MeshPart> grown)
 {
     RiggedMesh counts;
     counts.parts.assign(grown.begin(), grown.end());

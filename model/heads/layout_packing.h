@@ -18,7 +18,7 @@ struct PartRange
 /// `grown`: the mesh's first parts, which are not among its parts yet. Returns them as one. Where they have more than
 /// one layout, each becomes a cell of a square of as many rows as columns, those of lower tiles first, from the lower
 /// left, and so do the textures; uvs are changed, and the mesh's tiles are those of the cells.
-[[nodiscard]] MeshPart packed(RiggedMesh& mesh, std::span<const MeshPart> grown);
+[[nodiscard]] MeshPart withPackedLayouts(RiggedMesh& mesh, std::span<const MeshPart> grown);
 
 /// How much of what a layout covers lies over other skin.
 struct LayoutOverlap

@@ -251,7 +251,7 @@ RiggedMesh arranged(const RiggedMesh& source)
             append(made, source, ranges[i]);
             (use == PartUse::Grows ? grown : made.parts).push_back(source.parts[i]);
         }
-    made.parts.insert(made.parts.begin(), packed(made, grown));
+    made.parts.insert(made.parts.begin(), withPackedLayouts(made, grown));
     keepNamedTextures(made);
     return made;
 }

@@ -84,7 +84,7 @@ glm::vec3 rootDirection(std::span<const glm::vec3> axisHd, float lengthM, const 
     return turned * (std::sqrt(1.0F - sine * sine) / glm::length(turned)) + normalHd * sine;
 }
 
-struct Followed
+struct FollowedStrand
 {
     std::vector<SkinDirection> directions;
     std::optional<float> heightM; ///< Over the skin, where it has risen to its height in the coat.
@@ -92,7 +92,7 @@ struct Followed
 
 /// Where a strand lies on skin, step by step, until it leaves it.
 void followStrand(std::span<const glm::vec3> axisHd, const sim::Skin& skin, const sim::DistanceGrid* distances,
-                  Followed& found)
+                  FollowedStrand& found)
 {
     glm::vec3 last = pointAlong(axisHd, kRootStretchM);
     for (int step = 1; step <= kMostFollowSteps; ++step) {
@@ -130,7 +130,7 @@ std::optional<HeadStrands> strandsOnHead(const ForeignStrands& strands, const Cu
             return std::nullopt;
         const std::size_t some = std::min(kStrandsAtOnce, strands.count() - first);
         std::vector<std::optional<HeadStrand>> found(some);
-        std::vector<Followed> followed(some / followEach + 1);
+        std::vector<FollowedStrand> followed(some / followEach + 1);
         sim::parallelFor(some, kStrandsGrain, [&](std::size_t begin, std::size_t end) {
             StrandScratch scratch;
             std::vector<glm::vec3> pointsHd;
@@ -162,7 +162,7 @@ std::optional<HeadStrands> strandsOnHead(const ForeignStrands& strands, const Cu
         for (const std::optional<HeadStrand>& strand : found)
             if (strand)
                 onHead.strands.push_back(*strand);
-        for (const Followed& one : followed) {
+        for (const FollowedStrand& one : followed) {
             onHead.further.insert(onHead.further.end(), one.directions.begin(), one.directions.end());
             if (one.heightM)
                 heightsM.push_back(*one.heightM);

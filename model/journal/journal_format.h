@@ -40,8 +40,8 @@ struct StateFields
 /// None where it is no such state.
 [[nodiscard]] std::optional<StateFields> stateFields(const QByteArray& payload);
 /// As fast as it goes: a step waits for it. Throws std::bad_alloc.
-[[nodiscard]] QByteArray packed(const QByteArray& bytes);
+[[nodiscard]] QByteArray deflated(const QByteArray& bytes);
 /// What qCompress packed, but nothing that claims more than `mostBytes`.
-[[nodiscard]] std::optional<QByteArray> unpacked(QByteArrayView bytes, qsizetype mostBytes);
+[[nodiscard]] std::optional<QByteArray> inflated(QByteArrayView bytes, qsizetype mostBytes);
 
 } // namespace hairpaint::model

@@ -162,7 +162,7 @@ private:
         std::uint32_t basisRank = 0; ///< The same.
     };
     /// What a hair follows beside the hairs around it.
-    struct Followed
+    struct RowMembership
     {
         float clump = 0.0F;
         std::uint32_t centre = kNoCentre;
@@ -286,7 +286,7 @@ private:
     }
 
     /// All but the nodes.
-    void store(std::uint32_t slot, const StrandStyle& style, const Followed& followed)
+    void store(std::uint32_t slot, const StrandStyle& style, const RowMembership& followed)
     {
         const std::size_t local = slot - m_firstSlot;
         m_chunk.hairs.set(local);

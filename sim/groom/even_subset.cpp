@@ -9,12 +9,12 @@ namespace hairpaint::sim {
 namespace {
 
 /// A drawn hair, in the order in which hairs appear.
-struct Candidate
+struct HairInOrder
 {
     float detail;
     std::uint32_t group;
     std::uint32_t rank;
-    friend auto operator<=>(const Candidate& a, const Candidate& b)
+    friend auto operator<=>(const HairInOrder& a, const HairInOrder& b)
     {
         return std::tie(a.detail, a.group, a.rank) <=> std::tie(b.detail, b.group, b.rank);
     }
@@ -40,9 +40,9 @@ std::vector<std::shared_ptr<const Groom>> evenSubset(const std::vector<std::shar
     const auto candidateAt = [&](std::uint32_t group, std::uint32_t slot) {
         const Groom& groom = *grooms[group];
         const StrandChunk& chunk = *groom.chunks[slot / kChunkSlots];
-        return Candidate{chunk.styles[slot % kChunkSlots].detail, group, groom.roots->rankOfSlot[slot]};
+        return HairInOrder{chunk.styles[slot % kChunkSlots].detail, group, groom.roots->rankOfSlot[slot]};
     };
-    std::vector<Candidate> candidates;
+    std::vector<HairInOrder> candidates;
     for (std::uint32_t group = 0; group < grooms.size(); ++group)
         forEachDrawn(*grooms[group], [&](std::uint32_t slot, std::size_t, std::size_t) {
             candidates.push_back(candidateAt(group, slot));
@@ -51,7 +51,7 @@ std::vector<std::shared_ptr<const Groom>> evenSubset(const std::vector<std::shar
         return grooms;
     const auto firstLeftOut = candidates.begin() + static_cast<std::ptrdiff_t>(count);
     std::nth_element(candidates.begin(), firstLeftOut, candidates.end());
-    const Candidate end = *firstLeftOut;
+    const HairInOrder end = *firstLeftOut;
 
     std::vector<std::shared_ptr<const Groom>> result;
     for (std::uint32_t group = 0; group < grooms.size(); ++group) {

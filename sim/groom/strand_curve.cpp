@@ -101,10 +101,10 @@ of_floats::Span spanOf(std::span<const glm::vec3> nodes, std::size_t segment, bo
 }
 
 /// Walks along a skeleton: the curve at fractions of it, which rise.
-class Course
+class SkeletonWalk
 {
 public:
-    Course(std::span<const glm::vec3> nodes, bool isTaut) : m_nodes(nodes), m_isTaut(isTaut) {}
+    SkeletonWalk(std::span<const glm::vec3> nodes, bool isTaut) : m_nodes(nodes), m_isTaut(isTaut) {}
 
     void goTo(float s)
     {
@@ -239,7 +239,7 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
     const std::size_t last = skeletonHd.size() - 1;
     const bool isCurled = style.turns > 0.0F && style.curlRadiusM > 0.0F;
     const bool isBraided = style.braid != BraidKind::None && style.braidStart < 1.0F;
-    Course course(skeletonHd, style.isTaut());
+    SkeletonWalk course(skeletonHd, style.isTaut());
     const auto fractionOf = [segments](int j) { return static_cast<float>(j) / static_cast<float>(segments); };
     if (!isCurled && !isBraided && !(style.frizzM > 0.0F)) {
         for (int j = 0; j <= segments; ++j) {

@@ -59,7 +59,7 @@ struct Pose
     [[nodiscard]] double scale() const { return std::cbrt(std::abs(glm::determinant(linear))); }
 };
 
-struct Pair
+struct PointPair
 {
     glm::dvec3 from;
     glm::dvec3 to;
@@ -94,12 +94,12 @@ std::vector<Sample> headSamples(const Skin& known, const HeadLandmarks& landmark
 
 /// The closest pairs of a sample and its point on the skin, the farthest of which are left out, and those whose
 /// surfaces face apart.
-std::vector<Pair> closestPairs(const std::vector<Sample>& samples, const Pose& pose, const Skin& skin)
+std::vector<PointPair> closestPairs(const std::vector<Sample>& samples, const Pose& pose, const Skin& skin)
 {
     constexpr double kKept = 0.8;
     constexpr double kLeastAgreement = 0.3;
     constexpr std::size_t kGrain = 64;
-    std::vector<Pair> pairs(samples.size());
+    std::vector<PointPair> pairs(samples.size());
     parallelFor(samples.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const glm::vec3 posed = pose(samples[i].position);
@@ -113,9 +113,9 @@ std::vector<Pair> closestPairs(const std::vector<Sample>& samples, const Pose& p
         }
     });
     const auto kept = static_cast<std::ptrdiff_t>(kKept * static_cast<double>(pairs.size()));
-    std::ranges::nth_element(pairs, pairs.begin() + kept, {}, &Pair::distance);
+    std::ranges::nth_element(pairs, pairs.begin() + kept, {}, &PointPair::distance);
     pairs.resize(static_cast<std::size_t>(kept));
-    std::erase_if(pairs, [](const Pair& pair) { return !std::isfinite(pair.distance); });
+    std::erase_if(pairs, [](const PointPair& pair) { return !std::isfinite(pair.distance); });
     return pairs;
 }
 
@@ -125,10 +125,10 @@ struct Means
     glm::dvec3 to{0.0};
 };
 
-Means meansOf(const std::vector<Pair>& pairs)
+Means meansOf(const std::vector<PointPair>& pairs)
 {
     Means means;
-    for (const Pair& pair : pairs) {
+    for (const PointPair& pair : pairs) {
         means.from += pair.from;
         means.to += pair.to;
     }
@@ -137,14 +137,14 @@ Means meansOf(const std::vector<Pair>& pairs)
 }
 
 /// The turn around y, the scale and the shift with the least squared error: heads stand upright.
-Pose uprightFit(const std::vector<Pair>& pairs)
+Pose uprightFit(const std::vector<PointPair>& pairs)
 {
     const Means means = meansOf(pairs);
     double cosine = 0.0;
     double sine = 0.0;
     double upright = 0.0;
     double square = 0.0;
-    for (const Pair& pair : pairs) {
+    for (const PointPair& pair : pairs) {
         const glm::dvec3 a = pair.from - means.from;
         const glm::dvec3 b = pair.to - means.to;
         cosine += a.x * b.x + a.z * b.z;
@@ -165,7 +165,7 @@ Pose uprightFit(const std::vector<Pair>& pairs)
 /// curved ones are free, and held back a little, for they reach far. Source: Chen and Medioni, Object Modelling by
 /// Registration of Multiple Range Images (1992).
 template<int Terms>
-Pose bentFit(const std::vector<Pair>& pairs)
+Pose bentFit(const std::vector<PointPair>& pairs)
 {
     constexpr int kColumns = 4 + Terms;
     constexpr int kUnknowns = 3 * kColumns; // By column, then by coordinate.
@@ -173,7 +173,7 @@ Pose bentFit(const std::vector<Pair>& pairs)
     constexpr double kAlongWeight = 0.02;
     Eigen::Matrix<double, kUnknowns, kUnknowns> within = Eigen::Matrix<double, kUnknowns, kUnknowns>::Zero();
     Eigen::Matrix<double, kUnknowns, 1> across = Eigen::Matrix<double, kUnknowns, 1>::Zero();
-    for (const Pair& pair : pairs) {
+    for (const PointPair& pair : pairs) {
         Eigen::Matrix<double, kColumns, 1> row;
         row.template head<4>() << 1.0, pair.from.x / kUnitM, pair.from.y / kUnitM, pair.from.z / kUnitM;
         const std::array<double, kCurvedTerms> terms = curvedTerms(pair.from);
@@ -199,12 +199,12 @@ Pose bentFit(const std::vector<Pair>& pairs)
 }
 
 /// Mean distance of the pairs, in lengths of the known head: a head shrunken into a corner is no better for it.
-double errorOf(const std::vector<Pair>& pairs, const Pose& pose, std::size_t samples)
+double errorOf(const std::vector<PointPair>& pairs, const Pose& pose, std::size_t samples)
 {
     if (pairs.size() * 2 < samples)
         return std::numeric_limits<double>::infinity();
     double sum = 0.0;
-    for (const Pair& pair : pairs)
+    for (const PointPair& pair : pairs)
         sum += pair.distance;
     return sum / static_cast<double>(pairs.size()) / pose.scale();
 }
@@ -232,11 +232,11 @@ Pose startPose(const Skin& unknown, const HeadLandmarks& landmarks, double scale
 
 /// Moves the pose until it fits; false where too little of the head has a counterpart, or next to none of it is left.
 bool fit(Pose& pose, const std::vector<Sample>& samples, const Skin& unknown, int rounds,
-         Pose (*best)(const std::vector<Pair>&))
+         Pose (*best)(const std::vector<PointPair>&))
 {
     constexpr double kLeastScale = 1e-3; // A head may be 1 mm large.
     for (int round = 0; round < rounds; ++round) {
-        const std::vector<Pair> pairs = closestPairs(samples, pose, unknown);
+        const std::vector<PointPair> pairs = closestPairs(samples, pose, unknown);
         if (pairs.size() < samples.size() / 4)
             return false;
         pose = best(pairs);

@@ -24,13 +24,13 @@ constexpr float kSwirlReachM = 0.03F; ///< and gone about here.
 constexpr int kSmoothings = 4;
 constexpr std::size_t kMostHeated = 60'000; ///< Vertices.
 
-struct Whorl
+struct NaturalWhorl
 {
     glm::vec3 positionHd{0.0F};
     float scale = 1.0F; ///< Of the head, against a grown one's.
 };
 
-Whorl whorlOf(const Skin& skin, const std::optional<HeadLandmarks>& landmarks)
+NaturalWhorl whorlOf(const Skin& skin, const std::optional<HeadLandmarks>& landmarks)
 {
     if (landmarks) {
         const glm::vec3 crown = (*landmarks)[HeadLandmark::Crown];
@@ -147,7 +147,7 @@ glm::vec3 onTangentPlane(glm::vec3 v, glm::vec3 normal)
 
 /// Of the welded vertices, zero where the heat does not come. The finest meshes take a coarser one's, or the heat alone
 /// would take minutes.
-std::vector<glm::vec3> awayFrom(const Whorl& whorl, const HeadMesh& mesh, const std::vector<unsigned>& welded)
+std::vector<glm::vec3> awayFrom(const NaturalWhorl& whorl, const HeadMesh& mesh, const std::vector<unsigned>& welded)
 {
     const double reachM = kHeatReachM * static_cast<double>(whorl.scale);
     if (mesh.positionsHd.size() <= kMostHeated)
@@ -171,7 +171,7 @@ std::vector<glm::vec3> naturalStream(const Skin& skin, const std::optional<HeadL
     const HeadMesh& mesh = skin.mesh();
     const std::size_t count = mesh.positionsHd.size();
     const std::vector<unsigned> welded = weldedVertices(mesh);
-    const Whorl whorl = whorlOf(skin, landmarks);
+    const NaturalWhorl whorl = whorlOf(skin, landmarks);
     std::vector<glm::vec3> direction = awayFrom(whorl, mesh, welded);
     if (goesOn && !goesOn())
         return {};

@@ -39,7 +39,7 @@ SeenStrand strandAt(const PictureHair& picture, const Touch& touch, const Touch&
 }
 
 /// Of a strand the touches that are seen.
-struct Candidate
+struct TouchedStrand
 {
     const Touch* nearest;
     const Touch* first;
@@ -49,7 +49,7 @@ struct Candidate
 
 /// `touches` of a block, by strands.
 void addCandidates(const PictureHair& picture, const TouchedBlocks& touched, std::span<const Touch> touches,
-                   const PictureBrush& brush, std::vector<Candidate>& candidates)
+                   const PictureBrush& brush, std::vector<TouchedStrand>& candidates)
 {
     for (std::size_t i = 0; i < touches.size();) {
         const Touch* best = nullptr;
@@ -91,10 +91,10 @@ std::uint32_t lanesMet(CurveBatch& batch, std::uint32_t lanes, const PictureBrus
 }
 
 /// Looks at the drawn curves of those of which it is not known, as many at once as there are lanes.
-void meetCurves(const PictureHair& picture, const PictureBrush& brush, std::vector<Candidate>& candidates)
+void meetCurves(const PictureHair& picture, const PictureBrush& brush, std::vector<TouchedStrand>& candidates)
 {
     CurveBatch batch(picture);
-    std::array<Candidate*, kPickLanes> asked{};
+    std::array<TouchedStrand*, kPickLanes> asked{};
     std::array<std::uint32_t, kPickLanes> slots{};
     std::size_t count = 0;
     const auto ask = [&] {
@@ -107,7 +107,7 @@ void meetCurves(const PictureHair& picture, const PictureBrush& brush, std::vect
             asked[lane]->isMet = (met >> lane & 1U) != 0;
         count = 0;
     };
-    for (Candidate& one : candidates) {
+    for (TouchedStrand& one : candidates) {
         if (one.isMet)
             continue;
         asked[count] = &one;
@@ -128,13 +128,13 @@ std::vector<SeenStrand> brushedStrands(const PictureHair& picture, const Picture
     const std::vector<std::span<const Touch>> blocks = touched.blocks();
     std::vector<std::vector<SeenStrand>> met((blocks.size() + kBlocksAtATime - 1) / kBlocksAtATime);
     sim::parallelFor(met.size(), 1, [&](std::size_t begin, std::size_t end) {
-        std::vector<Candidate> candidates;
+        std::vector<TouchedStrand> candidates;
         for (std::size_t task = begin; task < end; ++task) {
             candidates.clear();
             for (std::size_t i = task * kBlocksAtATime; i < std::min(blocks.size(), (task + 1) * kBlocksAtATime); ++i)
                 addCandidates(picture, touched, blocks[i], brush, candidates);
             meetCurves(picture, brush, candidates);
-            for (const Candidate& one : candidates)
+            for (const TouchedStrand& one : candidates)
                 if (one.isMet)
                     met[task].push_back(strandAt(picture, *one.nearest, *one.first, brush));
         }

@@ -72,8 +72,8 @@ std::size_t HairBuffers::uploadStyles()
             const std::size_t slot = c * sim::kChunkSlots + local;
             const bool isRoot = slot < m_roots->tangentHd.size();
             styles[local] =
-                packed(chunk->styles[local],
-                       isRoot ? sim::frameTangentHd(*m_groom, static_cast<std::uint32_t>(slot)) : kNoTangent);
+                packedStyle(chunk->styles[local],
+                            isRoot ? sim::frameTangentHd(*m_groom, static_cast<std::uint32_t>(slot)) : kNoTangent);
         }
         m_styles.write(index * chunkBytes, styles.data(), chunkBytes);
         m_uploaded[index] = chunk;

@@ -22,7 +22,7 @@ std::uint32_t packDirection(glm::vec3 v)
 
 } // namespace
 
-PackedStyle packed(const sim::StrandStyle& style, glm::vec3 rootTangentHd)
+PackedStyle packedStyle(const sim::StrandStyle& style, glm::vec3 rootTangentHd)
 {
     const sim::Gloss gloss = sim::glossOf(style.gloss);
     return {.turns = style.turns,

@@ -15,6 +15,6 @@ static_assert(sizeof(PackedStyle) == 80);
 static_assert(kStrandLanes == sim::kLanes);
 
 /// `rootTangentHd`: of the slot that turns the strand's frame, see sim::frameTangentHd.
-[[nodiscard]] PackedStyle packed(const sim::StrandStyle& style, glm::vec3 rootTangentHd);
+[[nodiscard]] PackedStyle packedStyle(const sim::StrandStyle& style, glm::vec3 rootTangentHd);
 
 } // namespace hairpaint::rendering
