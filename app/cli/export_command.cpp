@@ -203,9 +203,7 @@ ExitCode runExport(const QStringList& arguments)
         groupsNamed(*project, parser.values(QStringLiteral("group")), files->front());
     if (!groups)
         return failed(groups.error());
-    if (const model::Result<void> whole =
-            model::addProject(*request, *project, QFileInfo(files->front()).completeBaseName(), output);
-        !whole)
+    if (const model::Result<void> whole = model::addProject(*request, *project, files->front(), output); !whole)
         return failed(whole.error());
     if (!sheet.isEmpty())
         if (const model::Result<void> written = model::writeUvSheet(project->head->skin->mesh(), sheet); !written)

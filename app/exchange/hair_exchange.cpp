@@ -107,9 +107,10 @@ void HairExchange::exportChosenHair()
     // The name's ending may tell of another format.
     if (const model::ExportFormat* named = model::findExportFormat(path, choice.request.format))
         choice.request.format = named;
-    const bool isWritten = m_files.write(path, [project, frame, choice, path](const model::Progress& progress) {
-        return exportChosen(project, frame, choice, path, progress);
-    });
+    const bool isWritten = m_files.write(
+        path, [project, frame, choice, path, projectPath = m_projectPath](const model::Progress& progress) {
+            return exportChosen(project, frame, choice, projectPath, path, progress);
+        });
     if (isWritten && m_dialog != nullptr)
         m_dialog->accept();
 }

@@ -19,6 +19,9 @@ class HairExchange : public QObject
 public:
     HairExchange(Session& session, FileWork& files);
 
+    /// Where the open project lies, which names avatars; empty where it was never saved.
+    void setProjectPath(const QString& path) { m_projectPath = path; }
+
     /// Asks how, in a dialog that stays open until a file is written: its preview can be looked at from all sides and
     /// asked for again meanwhile. Then asks for the file.
     void exportHair();
@@ -47,6 +50,7 @@ private:
 
     Session& m_session;
     FileWork& m_files;
+    QString m_projectPath;
     view::HairExportChoice m_export; ///< The last choice made in the dialog.
     QPointer<view::ExportHairDialog> m_dialog;
 };

@@ -4,8 +4,6 @@
 #include "app/headless/settled_hair.h"
 #include "model/values/sentences.h"
 
-#include <QFileInfo>
-
 namespace hairpaint::app {
 
 namespace {
@@ -65,12 +63,11 @@ QString avatarProblem(const model::Project& project)
 }
 
 model::Result<void> exportChosen(const model::Project& project, const std::shared_ptr<const sim::StrandFrame>& frame,
-                                 const view::HairExportChoice& choice, const QString& path,
+                                 const view::HairExportChoice& choice, const QString& projectPath, const QString& path,
                                  const model::Progress& progress)
 {
     model::ExportRequest request = choice.request;
-    if (model::Result<void> whole = model::addProject(request, project, QFileInfo(path).completeBaseName(), path);
-        !whole)
+    if (model::Result<void> whole = model::addProject(request, project, projectPath, path); !whole)
         return whole;
     const Shape shape = chosenShape(project, frame, choice.source, progress);
     if (shape.frame == nullptr)

@@ -15,11 +15,11 @@ namespace hairpaint::app {
 [[nodiscard]] QString avatarProblem(const model::Project& project);
 
 /// `frame`: the hair as it is now. The other shapes are made anew, which takes its time. Any thread; nothing is written
-/// where it fails or `progress` cancels. An avatar is named as its file is.
+/// where it fails or `progress` cancels. `projectPath`: as of model::addProject.
 [[nodiscard]] model::Result<void> exportChosen(const model::Project& project,
                                                const std::shared_ptr<const sim::StrandFrame>& frame,
-                                               const view::HairExportChoice& choice, const QString& path,
-                                               const model::Progress& progress);
+                                               const view::HairExportChoice& choice, const QString& projectPath,
+                                               const QString& path, const model::Progress& progress);
 
 /// The cards that it would write, for a preview.
 [[nodiscard]] model::Result<std::shared_ptr<const rendering::CardSet>>

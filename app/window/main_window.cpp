@@ -244,6 +244,7 @@ void MainWindow::connectFiles()
     connect(&m_files, &ProjectFiles::pathChanged, this, &MainWindow::showTitle);
     connect(&m_files, &ProjectFiles::pathChanged, this,
             [this] { m_journal.setPath(m_files.path(), [this] { return m_files.knownFile(); }); });
+    connect(&m_files, &ProjectFiles::pathChanged, this, [this] { m_exchange.hair().setProjectPath(m_files.path()); });
     view::StatusReadout& status = m_workspace->status();
     connect(&m_files, &ProjectFiles::changedOutside, &status,
             [&status](const QString& text) { status.showMessage(text, true, kReasonMs); });

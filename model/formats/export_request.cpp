@@ -5,6 +5,8 @@
 #include "model/project/skin_tone.h"
 #include "model/values/sentences.h"
 
+#include <QFileInfo>
+
 namespace hairpaint::model {
 
 namespace {
@@ -14,7 +16,7 @@ constexpr double kMeasured = 0.2;
 
 } // namespace
 
-Result<void> addProject(ExportRequest& request, const Project& project, const QString& avatarName, const QString& path)
+Result<void> addProject(ExportRequest& request, const Project& project, const QString& projectPath, const QString& path)
 {
     request.worn = project.worn;
     request.skinColour = skinLook(project.skin).skin;
@@ -24,7 +26,8 @@ Result<void> addProject(ExportRequest& request, const Project& project, const QS
     }
     if (!request.format->isAvatar)
         return {};
-    const Checked<std::shared_ptr<const Avatar>> avatar = avatarOf(*project.head, avatarName, request.author);
+    const QString name = QFileInfo(projectPath.isEmpty() ? path : projectPath).completeBaseName();
+    const Checked<std::shared_ptr<const Avatar>> avatar = avatarOf(*project.head, name, request.author);
     if (!avatar)
         return cannotWrite(path, avatar.error());
     request.avatar = *avatar;

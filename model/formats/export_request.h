@@ -32,9 +32,10 @@ struct ExportRequest
     std::shared_ptr<const Avatar> avatar{};                ///< There where the format is one of avatars.
 };
 
-/// Adds what the project gives: what is worn, colour of the skin, and the avatar, of that name, where the format is one
-/// of avatars. Fails where the head has no such skeleton; `path` is the file that would be written.
-[[nodiscard]] Result<void> addProject(ExportRequest& request, const Project& project, const QString& avatarName,
+/// Adds what the project gives: what is worn, colour of the skin, and the avatar where the format is one of avatars. It
+/// is named as the project's file is, and as `path`, the file that would be written, where the project was never saved
+/// and `projectPath` is empty. Fails where the head has no such skeleton.
+[[nodiscard]] Result<void> addProject(ExportRequest& request, const Project& project, const QString& projectPath,
                                       const QString& path);
 
 /// What the format does not take is left out (see ExportFormat::requestFor). Atomic: nothing is written where it fails

@@ -159,8 +159,17 @@ private Q_SLOTS:
         const QJsonValue meta = json[QLatin1String("extensions")][QLatin1String("VRMC_vrm")][QLatin1String("meta")];
         QCOMPARE(meta[QLatin1String("name")].toString(), QStringLiteral("Ann"));
         QCOMPARE(meta[QLatin1String("authors")].toArray(), QJsonArray{author});
+        // A project that has a file gives its name, as from the command line.
+        m_answers->file = path("hero.hairpaint");
+        trigger("file.saveAs");
+        m_answers->file = path("Bea");
         trigger("file.exportHair");
         QCOMPARE(before, author); // It is remembered.
+        const QJsonObject saved = test::jsonOf(contentOf(path("Bea.vrm")));
+        QCOMPARE(
+            saved[QLatin1String("extensions")][QLatin1String("VRMC_vrm")][QLatin1String("meta")][QLatin1String("name")]
+                .toString(),
+            QStringLiteral("hero"));
     }
 
     void aHeadAloneIsNoAvatar()
