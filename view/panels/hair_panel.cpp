@@ -2,7 +2,6 @@
 #include "view/panels/hair_panel.h"
 
 #include "model/document/group_commands.h"
-#include "model/growth/face_hair.h"
 #include "model/project/group_schema.h"
 #include "model/project/hair_types.h"
 #include "model/styles/hair_kinds.h"
@@ -27,11 +26,7 @@ namespace hairpaint::view {
 
 using model::Change;
 
-HairPanel::HairPanel(EditorState& state, QWidget* parent)
-    : QWidget(parent), m_state(state),
-      m_grow([](const model::HairKind& kind, const std::shared_ptr<const model::Head>& head) {
-          return model::Result<Grown>(model::grownHair(kind, head));
-      })
+HairPanel::HairPanel(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
 {
     setObjectName(QStringLiteral("panel"));
     setAttribute(Qt::WA_StyledBackground);
@@ -162,7 +157,8 @@ void HairPanel::addGroup(const model::HairKind& kind)
     model::makeNatural(settings);
     model::setHairType(settings, model::hairType("3B"));
     kind.apply(settings);
-    const model::Result<Grown> made = m_grow(kind, m_state.document().committed().head);
+    const model::Result<Grown> made =
+        m_grow ? m_grow(kind, m_state.document().committed().head) : model::Result<Grown>(Grown());
     if (!made)
         return; // Cancelled.
     if (Grown grown = *made) {

@@ -35,7 +35,7 @@ public:
     using Grown = std::optional<model::HairGroup>;
     using Grow = std::function<model::Result<Grown>(const model::HairKind& kind,
                                                     const std::shared_ptr<const model::Head>& head)>;
-    /// Sets how groups are grown, which takes a moment; by default on this thread.
+    /// Sets how groups are grown, which takes a moment: not on this thread. Without it groups are added bare.
     void setGrow(Grow grow) { m_grow = std::move(grow); }
     /// Adds a group of that kind, ready to be painted: its Density is the map that is painted then. Brows, lashes and
     /// beards are there where they grow, as far as that is known on the head.
