@@ -5129,8 +5129,17 @@ Se ha perdido esto:</translation>
         <translation>Pintado</translation>
     </message>
     <message>
+        <source>How it was made</source>
+        <translation>Cómo se hizo</translation>
+    </message>
+    <message>
         <source>Tags</source>
         <translation>Etiquetas</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <extracomment>%1: a tool, and on what; %2: how often in a row.</extracomment>
+        <translation>%1 × %2</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,8 @@
 #include "model/project/hair_types.h"
 #include "model/styles/style_transfer.h"
 #include "model/styles/style_use.h"
+#include "model/tools/live_edit.h"
+#include "model/tools/tool_list.h"
 #include "model/values/names.h"
 
 #include <QElapsedTimer>
@@ -141,9 +143,35 @@ std::vector<std::pair<QString, QString>> StyleCards::factsOf(const Hair& hair)
         tr("Cost"), tr("A second of its motion takes %1 s here")
                         .arg(locale.toString(static_cast<double>(hair.settledMs) / 1000.0 / kSettledSeconds, 'f', 1)));
     facts.emplace_back(tr("Painted"), locale.createSeparatedList(maps));
+    if (const QString steps = textOf(hair.style.steps); !steps.isEmpty())
+        facts.emplace_back(tr("How it was made"), steps);
     if (!hair.style.tags.isEmpty())
         facts.emplace_back(tr("Tags"), shownTags(hair.style.tags));
     return facts;
+}
+
+QString StyleCards::textOf(const std::vector<model::StyleStep>& steps)
+{
+    const std::vector<std::unique_ptr<model::Tool>> tools = model::makeTools();
+    const auto titleOf = [&tools](const model::StyleStep& step) -> QString {
+        if (const model::WornSpec* worn = step.tool.isEmpty() ? model::findWornSpec(step.on) : nullptr)
+            return model::wornText(worn->title);
+        const model::MapSpec* map = model::findMapSpec(step.on);
+        const auto tool =
+            std::ranges::find_if(tools, [&](const auto& one) { return step.tool == QLatin1StringView(one->name()); });
+        if (map == nullptr || tool == tools.end())
+            return {};
+        return (*tool)->map() == map->kind ? (*tool)->title() : model::actionText((*tool)->title(), map->kind);
+    };
+    QStringList told;
+    for (const model::StyleStep& step : steps) {
+        const QString title = titleOf(step);
+        if (title.isEmpty())
+            continue;
+        //: %1: a tool, and on what; %2: how often in a row.
+        told.append(step.count > 1 ? tr("%1 × %2").arg(title, QLocale().toString(step.count)) : title);
+    }
+    return told.join(QStringLiteral(" → "));
 }
 
 } // namespace hairpaint::app

@@ -40,6 +40,8 @@ private:
     [[nodiscard]] static model::Result<HairPtr> settled(const QString& path, const model::Progress& progress);
     void draw(view::StyleCard& card, const HairPtr& hair, std::size_t index);
     [[nodiscard]] static std::vector<std::pair<QString, QString>> factsOf(const Hair& hair);
+    /// In a line; what this program does not know is left out.
+    [[nodiscard]] static QString textOf(const std::vector<model::StyleStep>& steps);
 
     QWidget& m_window;
     Jobs& m_jobs;

@@ -237,6 +237,44 @@ QByteArray toBytes(QJsonObject root, const char* format, int version)
     return QJsonDocument(root).toJson(QJsonDocument::Indented);
 }
 
+template<typename Fields, typename Step>
+void visitStep(Fields& fields, Step& step)
+{
+    fields.text("tool", step.tool);
+    fields.text("on", step.on);
+    fields.integer("count", step.count, 1, kMostStepUses);
+}
+
+QJsonArray stepsToJson(const std::vector<StyleStep>& steps)
+{
+    QJsonArray array;
+    for (std::size_t i = 0; i < std::min(steps.size(), kMostSteps); ++i) {
+        FieldWriter fields;
+        visitStep(fields, steps[i]);
+        array.append(fields.take());
+    }
+    return array;
+}
+
+Checked<std::vector<StyleStep>> stepsFromJson(const QJsonObject& root)
+{
+    const QJsonValue given = root.value(QLatin1String("steps"));
+    const QJsonArray array = given.toArray();
+    if (!(given.isUndefined() || given.isArray()) || static_cast<std::size_t>(array.size()) > kMostSteps)
+        return brokenKey("steps");
+    std::vector<StyleStep> steps;
+    for (const QJsonValueConstRef one : array) {
+        if (!one.isObject())
+            return brokenKey("steps");
+        QString problem;
+        FieldReader fields(one.toObject(), problem);
+        visitStep(fields, steps.emplace_back());
+        if (!problem.isEmpty())
+            return refuse(problem);
+    }
+    return steps;
+}
+
 } // namespace
 
 int formatVersionOf(const Project& project)
@@ -342,6 +380,8 @@ Checked<QByteArray> presetToJson(const Preset& preset)
         if (tags.size() < kMostTags)
             tags.append(tag.left(kLongestName));
     root.insert(QStringLiteral("tags"), tags);
+    if (!preset.steps.empty())
+        root.insert(QStringLiteral("steps"), stepsToJson(preset.steps));
     root.insert(QStringLiteral("groups"), groupsToJson(preset.groups));
     return toBytes(std::move(root), kPresetFormat, leastVersion(preset.head.get(), !preset.worn.empty()));
 }
@@ -380,6 +420,10 @@ Checked<PresetManifest> presetFromJson(const QByteArray& json)
             return brokenKey("tags");
         preset.tags.append(tag.toString());
     }
+    Checked<std::vector<StyleStep>> steps = stepsFromJson(*root);
+    if (!steps)
+        return tl::unexpected(steps.error());
+    preset.steps = std::move(*steps);
     Checked<std::vector<HairGroup>> groups = parseGroups(*root, *nextId);
     if (!groups)
         return tl::unexpected(groups.error());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/project/project.h"
+#include "model/styles/style_steps.h"
 
 #include <QImage>
 #include <QStringList>
@@ -19,7 +20,8 @@ struct Preset
     /// On whose layout the maps lie; null where it is not known. Applied to a project on another head, the style is
     /// carried there (style_transfer.h).
     std::shared_ptr<const Head> head;
-    QImage picture; ///< 96 px and more a side; null where none was saved.
+    std::vector<StyleStep> steps; ///< How it was made, from first to last; empty where nobody recorded it.
+    QImage picture;               ///< 96 px and more a side; null where none was saved.
 };
 
 /// Whether anything of a map shows but what it starts from.

@@ -121,6 +121,10 @@ private Q_SLOTS:
             texts.append(label->text());
         for (const char* wanted : {"Hair type", "Longest hair", "Hairs", "Cost", "Painted"})
             QVERIFY2(texts.contains(QLatin1StringView(wanted)), wanted);
+        const qsizetype made = texts.indexOf(QStringLiteral("How it was made"));
+        QVERIFY(made >= 0);
+        for (const char* wanted : {"Fill on Colour", " → Brush on Length × ", "Comb × "})
+            QVERIFY2(texts[made + 1].contains(QString::fromUtf8(wanted)), qPrintable(texts[made + 1]));
         QVERIFY(card->findChild<QPushButton*>(QStringLiteral("styleLandmarks")) == nullptr);
         QCOMPARE(stack().count(), 0);
         QTest::mouseClick(card->findChild<QPushButton*>(QStringLiteral("stylePutOn")), Qt::LeftButton);

@@ -48,6 +48,7 @@ private Q_SLOTS:
         QVERIFY(committed.has_value());
         QCOMPARE(committed->name, played.name);
         QCOMPARE(committed->tags, style.tags);
+        QVERIFY(!played.steps.empty() && committed->steps == played.steps);
         QCOMPARE(committed->groups.size(), std::size_t{1});
         QVERIFY(committed->worn == played.worn);
         QVERIFY(committed->groups.front().settings == played.groups.front().settings);

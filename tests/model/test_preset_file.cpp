@@ -1,10 +1,14 @@
 // Presets on disk, and the library of them.
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
+#include "model/files/project_json.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/test_program.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -19,6 +23,9 @@ private:
     {
         Preset preset = presetFrom(test::makeSampleProject(), name);
         preset.tags = {QStringLiteral("long"), QStringLiteral("Zöpfe")};
+        addStep(preset.steps, QStringLiteral("brush"), QStringLiteral("length"));
+        addStep(preset.steps, QStringLiteral("brush"), QStringLiteral("length"));
+        addStep(preset.steps, {}, QStringLiteral("bow"));
         preset.picture = QImage(120, 100, QImage::Format_ARGB32);
         preset.picture.fill(Qt::green);
         return preset;
@@ -35,6 +42,8 @@ private Q_SLOTS:
         QVERIFY2(back, back ? "" : qPrintable(back.error().message));
         QCOMPARE(back->name, preset.name);
         QCOMPARE(back->tags, preset.tags);
+        QCOMPARE(back->steps.size(), std::size_t{2}); // Those in a row count as one.
+        QVERIFY(back->steps == preset.steps);
         QCOMPARE(back->folder, path);
         QCOMPARE(back->picture.size(), preset.picture.size());
         Project one = newProject();
@@ -42,6 +51,19 @@ private Q_SLOTS:
         one.groups = preset.groups;
         other.groups = back->groups;
         QCOMPARE(test::difference(one, other), QString());
+    }
+
+    void stepsThatAreNoneAreRefused()
+    {
+        const QByteArray good = *presetToJson(samplePreset(QStringLiteral("x")));
+        for (const auto& steps : {QJsonValue(5), QJsonValue(QJsonArray{1}),
+                                  QJsonValue(QJsonArray{QJsonObject{{QStringLiteral("tool"), 1}}})}) {
+            QJsonObject json = QJsonDocument::fromJson(good).object();
+            json.insert(QLatin1String("steps"), steps);
+            QVERIFY(!presetFromJson(QJsonDocument(json).toJson()));
+            json.remove(QLatin1String("steps"));
+            QVERIFY(presetFromJson(QJsonDocument(json).toJson())->preset.steps.empty());
+        }
     }
 
     void savingTwiceWritesTheSameBytes()

@@ -88,7 +88,9 @@ Recording::Recording(model::HairGroup grown, const sim::GroupSettings& settings)
 
 model::Preset Recording::preset(const QString& name) const
 {
-    return model::presetFrom(m_document.committed(), name);
+    model::Preset preset = model::presetFrom(m_document.committed(), name);
+    preset.steps = m_steps;
+    return preset;
 }
 
 sim::SurfacePoint Recording::around(float degrees, float heightM) const
@@ -170,6 +172,7 @@ void Recording::fill(MapKind map, const PaintValue& value)
     m_settings.value(map) = value;
     m_settings.opacity = 1.0F;
     ++m_actions;
+    tell(model::ToolId::Fill, map);
     click(model::ToolId::Fill, map, above(0.0F, 0.0F));
 }
 
@@ -214,6 +217,7 @@ void Recording::rectangle(MapKind map, const PaintValue& value, glm::vec2 fromUv
     m_settings.opacity = 1.0F;
     m_settings.shape = model::ShapeKind::Rectangle;
     ++m_actions;
+    tell(model::ToolId::Shape, map);
     model::ToolContext now = context(map);
     model::Tool& shape = tool(model::ToolId::Shape);
     shape.press({.area = model::Area::Paint, .uv = fromUv}, now);
@@ -234,6 +238,7 @@ void Recording::part(const Parting& parting, const Points& points)
     m_settings.partGapM = parting.gapM;
     m_settings.flatness = parting.flatness;
     ++m_actions;
+    tell(model::ToolId::Part, MapKind::Direction);
     for (const sim::SurfacePoint& point : points)
         click(model::ToolId::Part, MapKind::Direction, point);
     model::ToolContext now = context(MapKind::Direction);
@@ -242,11 +247,13 @@ void Recording::part(const Parting& parting, const Points& points)
 
 void Recording::gather(model::WornKind kind, const sim::SurfacePoint& point)
 {
+    addStep(m_steps, {}, QLatin1StringView(model::wornSpec(kind).id));
     push(gatherCommand(m_document, group().id, model::wornSpec(kind), point, {}));
 }
 
 void Recording::wear(model::WornKind kind, const sim::SurfacePoint& point)
 {
+    addStep(m_steps, {}, QLatin1StringView(model::wornSpec(kind).id));
     push(addWornCommand(m_document, makeWorn(model::wornSpec(kind), point, group().id)));
 }
 
@@ -271,6 +278,11 @@ void Recording::push(model::CommandPtr command)
 {
     ++m_actions;
     m_document.push(std::move(command));
+}
+
+void Recording::tell(model::ToolId id, MapKind map)
+{
+    addStep(m_steps, QLatin1StringView(tool(id).name()), QLatin1StringView(model::mapSpec(map).id));
 }
 
 model::ToolContext Recording::context(MapKind map)
@@ -308,6 +320,7 @@ void Recording::drag(model::ToolId id, MapKind map, const Points& points)
     model::ToolContext now = context(map);
     model::Tool& used = tool(id);
     ++m_actions;
+    tell(id, map);
     m_seconds += kBetweenClicksSeconds;
     used.press(eventAt(points.front()), now);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {

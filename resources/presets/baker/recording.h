@@ -108,6 +108,7 @@ private:
     [[nodiscard]] model::ToolContext context(MapKind map);
     [[nodiscard]] model::Tool& tool(model::ToolId id);
     void push(model::CommandPtr command);
+    void tell(model::ToolId id, MapKind map); ///< Of the steps.
     void use(const Ring& ring);
     void click(model::ToolId id, MapKind map, const sim::SurfacePoint& point);
     /// From point to point along a smooth curve over the skin, as a hand would.
@@ -121,6 +122,7 @@ private:
     bool m_mirror = true;
     double m_seconds = 0.0;
     int m_actions = 0;
+    std::vector<model::StyleStep> m_steps;
 };
 
 } // namespace hairpaint::presets
