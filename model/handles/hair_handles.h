@@ -16,14 +16,14 @@ namespace hairpaint::model {
 
 enum class HandleKind : std::uint8_t
 {
-    Length, ///< Of all hair: a factor.
+    Length, ///< Length of all hair: a factor.
     Fringe, ///< Length of the hair over the forehead: a factor.
     Fade,   ///< How much higher the clipped hair at the sides and the back ends, m.
     Part    ///< Where hair is parted: a PartSide.
 };
 inline constexpr std::size_t kHandleCount = 4;
 
-/// Of the head's own left and right.
+/// Where hair is parted. Left and right are the head's own.
 enum class PartSide : std::uint8_t
 {
     AsCombed,
@@ -37,8 +37,8 @@ struct HandleSpec
 {
     HandleKind kind;
     const char* title;                       ///< To be translated in context "HairHandles", as are the next two.
-    const char* hint;                        ///< What it does.
-    const char* step;                        ///< What undo says; %1 is the group's name.
+    const char* hint;                        ///< What the handle does.
+    const char* step;                        ///< Text of the undo step; %1 is the group's name.
     double least, greatest, usual;           ///< At `usual` the hair is as it was.
     [[nodiscard]] QString titleText() const; ///< Translated.
     [[nodiscard]] QString hintText() const;
@@ -55,7 +55,7 @@ struct HandleValues
     friend bool operator==(const HandleValues&, const HandleValues&) = default;
 };
 
-/// What handles change of a group. All else of it may be changed meanwhile.
+/// What handles change of a group. Edits to the rest of the group are kept.
 struct HandledHair
 {
     float greatestLengthM = 0.0F;
@@ -75,7 +75,7 @@ struct HandledHair
 class HairHandles
 {
 public:
-    /// `density`, `direction`: of the group, resolved.
+    /// `density`, `direction`: the group's resolved maps.
     HairHandles(const HairGroup& base, std::shared_ptr<const Head> head, sim::MapRaster density,
                 sim::MapRaster direction);
     ~HairHandles();

@@ -11,7 +11,8 @@
 
 namespace hairpaint::model {
 
-/// Of all that comes back: as much as one content may hold, and steps beside it as far as there is room.
+/// Limit on the bytes of the recovered steps together: as much as one content may hold, and a quarter more for the
+/// tiles in which the other steps differ.
 inline constexpr std::size_t kMostRecoveredBytes = kMostHeldBytes + kMostHeldBytes / 4;
 
 /// The steps of the history that the journal's last whole state is one of. None where nothing was appended since the
