@@ -12,15 +12,15 @@ namespace hairpaint::model {
 /// Hairs that run nearly alike.
 struct HairLock
 {
-    std::vector<std::uint32_t> hairs; ///< Of SampledHair.
+    std::vector<std::uint32_t> hairs; ///< Indices into SampledHair.
     std::array<glm::vec3, SampledHair::kSamples> meanWo{};
-    float spreadM = 0.0F; ///< Root of the mean squared distance from there.
+    float spreadM = 0.0F; ///< Root mean square distance of the hairs from the mean.
 };
 
-/// At which of the lock's samples a strip along it has nodes, both ends among them.
+/// Puts into `kept` the samples at which a strip along the lock has nodes, both ends among them.
 void stripSamples(const HairLock& lock, std::vector<std::uint16_t>& kept);
 
-/// Of a strip along it: two a segment.
+/// Number of triangles of a strip along the lock: two a segment.
 [[nodiscard]] int stripTriangles(const HairLock& lock);
 
 /// Divides what runs most apart again and again, as long as the strips along all locks have at most `triangles`

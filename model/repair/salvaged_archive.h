@@ -28,7 +28,7 @@ public:
     struct Content
     {
         QByteArray bytes;
-        bool whole = false; ///< Of the size and the checksum that were written down; else bytes may lack or be wrong.
+        bool whole = false; ///< Whether size and checksum are those in a header; else bytes may be missing or wrong.
     };
     /// At most so many bytes; none where nothing of that name was found.
     [[nodiscard]] std::optional<Content> read(const QString& name, qint64 mostBytes);
@@ -37,7 +37,7 @@ private:
     /// What one header says of an entry.
     struct Record
     {
-        qint64 at = 0; ///< Of its first byte in the file.
+        qint64 at = 0; ///< Offset of the entry's packed bytes in the file.
         qint64 packedBytes = 0;
         qint64 bytes = 0;
         quint32 checksum = 0;
