@@ -33,7 +33,7 @@ struct PngBand
     QByteArray packed;
     std::uint32_t packedChecksum = 0; ///< CRC-32 of `packed`.
     std::uint32_t checksum = 0;       ///< Adler-32 of the rows with the numbers of their filters.
-    std::size_t plainBytes = 0;       ///< Of these.
+    std::size_t plainBytes = 0;       ///< Size of those rows, filter numbers included.
 };
 [[nodiscard]] PngBand packBand(const PngRowBuffer& rows);
 
