@@ -16,7 +16,7 @@ namespace hairpaint::model {
 class ProjectPatches
 {
 public:
-    /// Brings it to the project. Work in proportion to the tiles that differ.
+    /// Follows the project's maps and worn things. The work is in proportion to the tiles that differ.
     void update(const Project& project);
 
     /// One channel: the number of the patch where it gathers hair, else 0. Null where none does, or there is no such
@@ -33,10 +33,10 @@ public:
     {
         ResolvedMap map;
         sim::PatchLabels labels = {};
-        std::vector<Id> things = {};             ///< Of each patch; 0: none.
-        std::vector<std::uint16_t> numbers = {}; ///< Of each patch that gathers; 0: it does not.
+        std::vector<Id> things = {};             ///< By patch: the id of its thing; 0: none.
+        std::vector<std::uint16_t> numbers = {}; ///< By patch: its number where it gathers hair; else 0.
         sim::MapRaster gathered = {};
-        /// The parts' numbers by which each tile of `gathered` was made.
+        /// By tile of `gathered`: the parts and numbers that it was made from.
         std::vector<std::pair<std::shared_ptr<const sim::PatchTile>, std::vector<std::uint16_t>>> made = {};
     };
     [[nodiscard]] const Group* group(Id id) const;
