@@ -16,9 +16,9 @@ namespace hairpaint::model {
 class FallenHair
 {
 public:
-    /// Of the target's group. `size`: of the direction map. Both must outlive it.
+    /// Takes the target's group. `size`: texels a side of the direction map. `frames` must outlive it.
     FallenHair(const ToolContext& context, SkinFrames& frames, int size);
-    /// Of a group of these settings and resolved maps; nothing falls where one of them is null.
+    /// Takes a group's settings and resolved maps; nothing falls where one of the maps is null.
     FallenHair(const sim::GroupSettings& settings, sim::MapRaster natural, sim::MapRaster direction,
                sim::MapRaster length, SkinFrames& frames, int size);
 
@@ -34,7 +34,7 @@ public:
 private:
     using Texels = std::vector<std::optional<sim::Texel>>; ///< [64][64]; none where hair lies as the map tells.
 
-    /// None where it lies as the map tells.
+    /// The direction in which hair lies; none where it lies as the map tells.
     [[nodiscard]] std::optional<glm::vec2> fallenAt(glm::vec2 uv);
     [[nodiscard]] glm::vec2 toldAt(glm::vec2 uv) const;
 
@@ -45,7 +45,7 @@ private:
     sim::MapRaster m_natural; ///< Null where the head has none.
     sim::MapRaster m_direction;
     sim::MapRaster m_length;
-    std::vector<std::optional<Texels>> m_tiles; ///< Empty: not looked at yet.
+    std::vector<std::optional<Texels>> m_tiles; ///< By tile; none until look() has been called for it.
 };
 
 } // namespace hairpaint::model
