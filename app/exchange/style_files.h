@@ -24,12 +24,13 @@ public:
 
     void save();                                                ///< The open project's hair; asks for the name.
     void carryOut(const QString& path, view::StyleOrder order); ///< Asks for what is needed.
-    void applyFrom(const QString& path);                        ///< Emits wanted().
+    void applyFrom(const QString& path);                        ///< Reads a style from elsewhere; emits wanted().
     void importStyles();                                        ///< Asks for files.
     void importStyles(const QStringList& paths);                ///< A broken one is left out and told of.
     void exportOwn();                                           ///< All of the user's own; asks for a folder.
     void undo();                                                ///< What undoOffered() told of last.
-    void setCamera(std::function<rendering::Camera()> camera) { m_camera = std::move(camera); } ///< Of the 3D area.
+    /// `camera` gives the 3D area's.
+    void setCamera(std::function<rendering::Camera()> camera) { m_camera = std::move(camera); }
 
 Q_SIGNALS:
     void changed(); ///< The library has changed.

@@ -83,11 +83,11 @@ private:
     std::uint64_t m_sentRevision = 0;
     std::optional<std::uint64_t> m_failedRevision;
     std::optional<model::MapKind> m_looked;
-    std::map<model::Id, model::MapColours> m_colours; ///< Of the map looked at, by group.
-    double m_drawMs = 0.0;                            ///< Smoothed.
-    double m_frameRate = 0.0;                         ///< As the worker was told.
+    std::map<model::Id, model::MapColours> m_colours; ///< By group: the colours of the map that is looked at.
+    double m_drawMs = 0.0;                            ///< Time to draw a frame, smoothed.
+    double m_frameRate = 0.0;                         ///< The frame rate that the worker was told last.
     float m_drawnDetail = 1.0F;
-    float m_frameDetail = 1.0F; ///< As the worker was told.
+    float m_frameDetail = 1.0F; ///< The drawn detail that the worker was told last.
     std::weak_ptr<const void> m_wholeHair;
     std::shared_ptr<const void> m_hairOfTool; ///< While a tool may cut it: what is not positioned would stay as it is.
     std::unique_ptr<sim::SimulationWorker> m_worker; ///< Last: it calls back until it is gone.

@@ -14,7 +14,7 @@
 
 namespace hairpaint::app {
 
-/// As JSON has it; bytes as text.
+/// A setting as JSON; bytes become text.
 [[nodiscard]] QJsonValue settingToJson(const QVariant& value);
 [[nodiscard]] QVariant settingFromJson(const QJsonValue& value);
 
@@ -23,7 +23,7 @@ namespace hairpaint::app {
 class SettingsFile
 {
 public:
-    using Changes = QHash<QString, QJsonValue>; ///< By key; undefined where it was removed.
+    using Changes = QHash<QString, QJsonValue>; ///< New values by key; undefined where the key was removed.
     struct Content
     {
         QJsonObject values;
@@ -46,7 +46,7 @@ public:
     /// Waits until everything is written or has failed. False where the disk has not answered for as long as it is
     /// waited for: then it returns at once until it answers, and what was to be written is written when it does.
     [[nodiscard]] bool finish() const;
-    /// Of what was written last, once.
+    /// The result of the last write; given once.
     [[nodiscard]] std::optional<Written> takeWritten();
 
 private:

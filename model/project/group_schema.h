@@ -41,7 +41,7 @@ struct GroupSetting
     SettingSection section;
     const char* label;      ///< To be translated in context "GroupSchema", as are the following.
     const char* hint;       ///< What the smallest and the greatest value mean.
-    const char* unit;       ///< Of the number shown; "" for none.
+    const char* unit;       ///< Unit of the number shown; "" for none.
     double shownPerSi;      ///< The number shown is the SI value times this.
     double least, greatest; ///< Range in files, SI.
     /// Range of the panel's slider, in the unit shown; within `least` .. `greatest`.
