@@ -67,7 +67,7 @@ public:
     explicit Jobs(QWidget& window);
     ~Jobs() override; ///< Stops running jobs and waits for them; their results are dropped.
 
-    /// Milliseconds since any moment: what tells how long work takes. Real time unless set.
+    /// A clock in milliseconds, from any start, that measures how long work takes. Real time unless set.
     using Clock = std::function<qint64()>;
     void setClock(Clock clock) { m_clock = std::move(clock); }
 

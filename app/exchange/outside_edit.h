@@ -14,8 +14,8 @@
 
 namespace hairpaint::app {
 
-/// Each time the program saves, the layer becomes what the image holds: one undo step. Several layers may be away at
-/// once, until another project is opened; the images go when this does. GUI thread.
+/// Each time the other program saves, the layer becomes what the image holds: one undo step. Several layers may be
+/// edited outside at once, until another project is opened; the images are removed with this object. GUI thread.
 class OutsideEdit : public QObject
 {
     Q_OBJECT

@@ -55,7 +55,7 @@ struct SceneNode
     int parent = -1; ///< An earlier node; none for the first alone.
     glm::mat4 toParent{1.0F};
     std::vector<int> children = {}; ///< Later nodes.
-    std::vector<int> meshes = {};   ///< Those that exist.
+    std::vector<int> meshes = {};   ///< Indices into ForeignScene::meshes; checked.
 };
 
 struct ForeignScene
@@ -63,7 +63,7 @@ struct ForeignScene
     std::vector<SceneNode> nodes; ///< At least one.
     std::vector<SceneMesh> meshes;
     std::vector<SceneMaterial> materials;
-    std::vector<std::vector<std::byte>> images; ///< As their files are; empty where one could not be had.
+    std::vector<std::vector<std::byte>> images; ///< Content of the images' files; empty where one could not be read.
     /// Skinned meshes stand where their joints put them, whatever their own nodes say (as in glTF).
     bool boundByJoints = false;
     model::ToldSpace told = {};

@@ -32,7 +32,7 @@ public:
     [[nodiscard]] Read<std::vector<float>> floats(int accessor, int components, std::size_t most);
     /// The same of whole numbers, none of which is below 0.
     [[nodiscard]] Read<std::vector<std::uint32_t>> wholes(int accessor, int components, std::size_t most);
-    /// None where there is no such.
+    /// The accessor of that index; null where there is none.
     [[nodiscard]] const tinygltf::Accessor* find(int accessor) const;
 
 private:
@@ -52,7 +52,7 @@ private:
     std::map<int, BufferBytes> m_views;   ///< Views that were decompressed, by index.
 };
 
-/// A number of an accessor as it counts in its mesh.
+/// A stored number of an accessor after the normalization for its component type.
 [[nodiscard]] float normalizedNumber(float number, int componentType);
 
 } // namespace hairpaint::importer

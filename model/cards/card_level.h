@@ -11,7 +11,7 @@
 
 namespace hairpaint::model {
 
-/// Hairs of SampledHair, by group.
+/// By group: indices into SampledHair.
 using HairsByGroup = std::vector<std::vector<std::uint32_t>>;
 
 struct CardLevel
@@ -21,7 +21,7 @@ struct CardLevel
     std::vector<std::size_t> groups;           ///< By strip: index into CurveSet::groups().
     std::vector<std::size_t> patchOf;          ///< By strip: index into HairCards::patches.
     std::vector<std::size_t> chainOf;          ///< By strip: index into CardBones::chains, where there are bones.
-    std::vector<std::optional<ScalpCap>> caps; ///< By group.
+    std::vector<std::optional<ScalpCap>> caps; ///< By group: its cap; none where it has none.
     [[nodiscard]] int triangles() const;
 };
 

@@ -17,7 +17,7 @@ struct StripNode
     glm::vec3 sideWo{1.0F, 0.0F, 0.0F};
     glm::vec3 normalWo{0.0F, 0.0F, 1.0F};
     float halfWidthM = 0.0F;
-    float alongM = 0.0F; ///< From the first node.
+    float alongM = 0.0F; ///< Distance from the first node along the strip.
 };
 
 struct CardStrip
@@ -36,8 +36,8 @@ struct CardStrip
 struct StripPoint
 {
     float across = 0.0F;  ///< -1 at its left border, 1 at its right.
-    float alongM = 0.0F;  ///< From the first node.
-    float heightM = 0.0F; ///< Along its normal.
+    float alongM = 0.0F;  ///< Distance from the first node along the strip.
+    float heightM = 0.0F; ///< Height over the strip, along its normal.
 };
 
 /// Where points of one curve, root first, lie on a strip: each is sought near the one before. One thread.

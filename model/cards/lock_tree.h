@@ -23,10 +23,10 @@ void stripSamples(const HairLock& lock, std::vector<std::uint16_t>& kept);
 /// Number of triangles of a strip along the lock: two a segment.
 [[nodiscard]] int stripTriangles(const HairLock& lock);
 
-/// Divides what runs most apart again and again, as long as the strips along all locks have at most `triangles`
-/// together; a lock of less than a hair's few widths stays whole. `sets`: hairs that are never in one lock, of which
-/// those without hairs give none and the others at least one, however few triangles there are. `weights`: by hair of
-/// SampledHair, above 0: how much it matters. The same hairs give the same locks.
+/// Divides the lock with the greatest spread again and again, as long as the strips along all locks have at most
+/// `triangles` together; a lock a few hairs wide stays whole. `sets`: hairs of different sets are never in one lock; an
+/// empty set gives no lock, any other at least one, however few triangles there are. `weights`: by hair of SampledHair,
+/// how much it matters, above 0. The same hairs give the same locks.
 [[nodiscard]] std::vector<HairLock> dividedIntoLocks(const SampledHair& hair,
                                                      std::vector<std::vector<std::uint32_t>> sets,
                                                      std::span<const float> weights, int triangles);

@@ -21,10 +21,10 @@ struct JournalState
 {
     Project project;
     QString path;        ///< Path of the project's file; empty where the project was never saved.
-    KnownFile file = {}; ///< Stamp of the file at `path`.
-    QString step;        ///< What undo calls the step that led here.
-    int index = 0;       ///< Steps that undo would take back.
-    int count = 0;       ///< Steps that the history holds, those that were undone included.
+    KnownFile file = {}; ///< Size and time of the file at `path`.
+    QString step;        ///< Text of the undo step that led to this state.
+    int index = 0;       ///< Number of steps that undo can take back.
+    int count = 0;       ///< Number of steps in the history, undone ones included.
     qint64 timeMs = 0;   ///< When the step was made, ms since 1970, UTC.
 };
 

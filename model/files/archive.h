@@ -54,7 +54,7 @@ private:
     Checked<void> readDirectory();
 
     std::unique_ptr<Handle> m_handle;
-    std::map<QString, ListedEntry> m_entries; ///< A QHash ends the program where memory runs out.
+    std::map<QString, ListedEntry> m_entries; ///< No QHash, which ends the program where memory runs out.
 };
 
 [[nodiscard]] tl::unexpected<Clause> brokenEntry(const QString& name);

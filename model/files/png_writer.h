@@ -42,7 +42,8 @@ struct PngFile
 {
     QByteArray bytes;
     std::uint32_t checksum = 0; ///< CRC-32 of all bytes.
-    /// Its bands without what they hold, and where that lies in `bytes`; none where the file was only read.
+    /// The file's bands, with `packed` left out: it lies in `bytes` at `at`, `count` bytes. Empty where the file was
+    /// read.
     struct StoredBand
     {
         PngBand band;

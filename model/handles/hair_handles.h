@@ -68,9 +68,9 @@ struct HandledHair
     friend bool operator==(const HandledHair&, const HandledHair&) = default;
 };
 
-/// The handles of one group as it is, the base, on one head. Which it has is told from its hair, so that every style
-/// has some, a user's own and one on a foreign head too: fade where sides and back are clipped, fringe and part where
-/// hair at the forehead and on top is loose. Fringe, fade and part need a head whose landmarks are known. What is made
+/// The handles of one group, the base, on one head. The group's hair decides which handles it has, so that every style
+/// has some, also a user's own and on a foreign head: a fade where sides and back are clipped, fringe and part where
+/// hair at the forehead and on top is loose. Fringe, fade and part need a head whose landmarks are known. The result
 /// depends on base and values alone. GUI thread.
 class HairHandles
 {
@@ -81,7 +81,8 @@ public:
     ~HairHandles();
 
     [[nodiscard]] bool has(HandleKind kind) const { return m_has[static_cast<std::size_t>(kind)]; }
-    [[nodiscard]] HandledHair at(const HandleValues& values); ///< Values beyond a handle's range are its ends.
+    /// The base with these values; values beyond a handle's range are clamped.
+    [[nodiscard]] HandledHair at(const HandleValues& values);
 
 private:
     void look();
@@ -95,7 +96,8 @@ private:
     std::unique_ptr<SkinFrames> m_frames;
     std::optional<HandleRegions> m_regions;
     std::optional<FadeColumns> m_columns;
-    std::array<std::optional<SharedStack>, 4> m_parted; ///< By PartSide, once it was asked for.
+    /// By PartSide: the parted direction map; none until it is asked for.
+    std::array<std::optional<SharedStack>, 4> m_parted;
 };
 
 } // namespace hairpaint::model

@@ -14,7 +14,7 @@
 
 namespace hairpaint::model {
 
-/// What moves a vertex: joints of one skin by their indices. Weights sum to 1; joint 0 stands where there is no more.
+/// The joints that move a vertex, by index, with weights that sum to 1. Unused entries have joint 0 and weight 0.
 struct BoneWeights
 {
     std::array<std::uint16_t, 4> joints{};

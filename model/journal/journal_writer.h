@@ -24,10 +24,10 @@ namespace hairpaint::model {
 class JournalWriter
 {
 public:
-    /// What a file may take before it is written anew: this much, or `kLiveFactor` times what it needs.
+    /// A file is written anew once it is larger than this and than `kLiveFactor` times its size after the last time.
     static constexpr qint64 kLeastRewriteBytes = 64 << 20;
     static constexpr qint64 kLiveFactor = 3;
-    static constexpr std::size_t kKeptStates = 24; ///< Steps of the history that a file written anew still has.
+    static constexpr std::size_t kKeptStates = 24; ///< Number of states that a file written anew has.
 
     /// `states`: earlier states of this undo history, however many; they are written first. Follows no link.
     JournalWriter(std::shared_ptr<const OwnFolder> folder, QString name, std::deque<JournalState> states = {},
@@ -39,7 +39,7 @@ public:
 
     /// The state is on the disk when this returns.
     [[nodiscard]] Checked<void> append(const JournalState& state);
-    /// What was appended last is in the project's file too. Does nothing before the first state.
+    /// Records that the last state is in the project's file, too. Does nothing before the first state.
     [[nodiscard]] Checked<void> markClean();
 
     /// Writes all states that it still keeps into a new file.
@@ -79,7 +79,7 @@ private:
     std::vector<std::shared_ptr<const Head>> m_heads;
     std::deque<JournalState> m_states; ///< The newest states that were appended.
     qint64 m_bytes = 0;
-    qint64 m_rewrittenBytes = 0; ///< What the file took when it was written anew last.
+    qint64 m_rewrittenBytes = 0; ///< Size of the file when it was last written anew.
     bool m_clean = true;
     bool m_failed = false;
 };

@@ -31,9 +31,9 @@ public:
     [[nodiscard]] std::size_t tilesToBlend(const Project& project, const HairGroup& group, MapKind map) const;
 
     void update(const Project& project);
-    /// One map, and those that follow it.
+    /// Updates one map, and those that follow it.
     void update(const Project& project, const HairGroup& group, MapKind map);
-    /// The same, where only these tiles of one layer can differ.
+    /// As update() of one map, where only these tiles of one layer can differ.
     void updateTiles(const Project& project, const LayerAddress& address, std::span<const int> tiles);
 
 private:

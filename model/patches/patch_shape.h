@@ -23,8 +23,9 @@ struct PatchShape
 /// The point of the patch that is nearest to `positionHd`.
 [[nodiscard]] const sim::SurfacePoint& pointNearest(const PatchShape& shape, glm::vec3 positionHd);
 
-/// Where and how large a thing of such a patch is before anybody moves it. A tie sits where a hairdresser gathers that
-/// hair: outward from its middle, up and back the more the patch goes around the head.
+/// Sets position and size of a thing with such a patch, before anybody moves it. A tie sits where a hairdresser would
+/// gather that hair: outward from the patch's middle, and the further up and back the more the patch goes around the
+/// head.
 void wearOnPatch(Worn& worn, const PatchShape& shape, const sim::Skin& skin);
 
 } // namespace hairpaint::model

@@ -23,10 +23,10 @@ public:
     /// group. Tiles in which nothing differs keep their pointers.
     [[nodiscard]] sim::MapRaster gathered(Id group) const;
 
-    /// Makes the list of worn things follow the maps that this holds, from how patches and things were `before`; false
-    /// where it did. A thing stays with the patch that its point is in, the oldest where patches met; else with the one
-    /// that covers most of its own. New patches get new things, and things without a patch go. Where a thing lies
-    /// follows its patch until a hand has moved it.
+    /// Makes the project's list of worn things follow the maps that this holds; returns whether it changed. A thing
+    /// keeps the patch that its point is in, the oldest thing where patches met; else it gets the patch that covers
+    /// most of what it had in `before`. New patches get new things, and things without a patch are removed. A thing's
+    /// position follows its patch until it is moved by hand.
     bool follow(Project& project, const ProjectPatches* before);
 
     struct Group

@@ -9,7 +9,7 @@
 
 namespace hairpaint::model {
 
-using Id = int; ///< From a counter that the file keeps; unique within the project; 0 is none.
+using Id = int; ///< Unique within the project, from a counter that its file keeps; 0 is none.
 
 struct LayerAddress
 {

@@ -31,8 +31,8 @@ struct SettingChoice
     const char* title; ///< To be translated in context "GroupSchema".
 };
 
-/// A row of the table; what a setting affects, sim::affectsOf(member) tells. Numbers, switches (0 or 1) and choices (an
-/// index) are all read and written as a double, in SI units. Its members stand as rows are read.
+/// A row of the table; sim::affectsOf(member) tells what a setting affects. Numbers, switches (0 or 1) and choices (an
+/// index) are all read and written as a double, in SI units. The members are in the order in which rows are written.
 // NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding)
 struct GroupSetting
 {

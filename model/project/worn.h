@@ -55,7 +55,7 @@ struct Worn
 {
     Id id = 0;
     WornKind kind = WornKind::Ellipsoid;
-    sim::Ellipsoid shape = {}; ///< Where it is on the present head, how it is turned, how large it is.
+    sim::Ellipsoid shape = {}; ///< Position on the present head, rotation and size.
     QRgb colour = 0;           ///< Colour of a kind that is drawn; 0 for other kinds.
     float sheen = 0.0F;        ///< As WornSpec::sheen, 0..1; 0 for kinds that are not drawn.
     Id group = 0;              ///< The group in whose hair it is worn, and with which it is removed; 0: none.
@@ -87,14 +87,14 @@ struct WornMake
 struct WornSpec
 {
     WornKind kind;
-    const char* id;       ///< In files.
+    const char* id;       ///< Name of the kind in files.
     const char* ownArray; ///< Array of project.json that holds this kind; null: the array `worn`, with the kind's id.
 
     const char* title;
     const char* action;      ///< End of the id of the menus' action: hair.add...
-    const char* addTitle;    ///< In menus, with a mnemonic.
-    const char* addHint;     ///< %1: the limit.
-    const char* removeTitle; ///< In menus, with a mnemonic.
+    const char* addTitle;    ///< Title of the action that adds one, with a mnemonic.
+    const char* addHint;     ///< Hint of that action; %1 is the limit.
+    const char* removeTitle; ///< Title of the action that removes one, with a mnemonic.
     const char* addStep;     ///< Text of the undo step, as are the next four.
     const char* removeStep;
     const char* moveStep;

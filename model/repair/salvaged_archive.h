@@ -30,7 +30,7 @@ public:
         QByteArray bytes;
         bool whole = false; ///< Whether size and checksum are those in a header; else bytes may be missing or wrong.
     };
-    /// At most so many bytes; none where nothing of that name was found.
+    /// The content of an entry, at most `mostBytes`; none where no entry of that name was found.
     [[nodiscard]] std::optional<Content> read(const QString& name, qint64 mostBytes);
 
 private:
@@ -49,7 +49,7 @@ private:
     void readCentral(qint64 at);
     void add(const QByteArray& name, const Record& record);
     [[nodiscard]] QByteArray bytesAt(qint64 at, qint64 count);
-    /// Where the header after that offset lies, or the file ends.
+    /// Offset of the next header after `at`, or of the file's end.
     [[nodiscard]] qint64 endOf(qint64 at) const;
     [[nodiscard]] Content contentOf(const Record& record, qint64 mostBytes);
 
