@@ -11,8 +11,8 @@
 namespace hairpaint::model {
 
 /// Long hair that nobody has combed falls to its side, whatever the natural stream under it. A comb's soft edge must
-/// lead from there to what the comb lays, or hair at the edge would lie in the direction in which it grows: over the
-/// face. As the maps were when this was made. One thread, but for under().
+/// lead from that direction to the combed one, or hair at the edge would lie as it grows: over the face. Uses the maps
+/// as they were when this was made. One thread, but for under().
 class FallenHair
 {
 public:
@@ -26,8 +26,8 @@ public:
     [[nodiscard]] glm::vec2 at(glm::vec2 uv);
     /// Makes a tile ready for under().
     void look(int tileIndex);
-    /// A direction layer's tile, painted where the mask is above 0 and hair lies otherwise than the map tells, with how
-    /// it lies.
+    /// A direction layer's tile in which texels hold how hair lies, where the mask is above 0 and that differs from the
+    /// map.
     [[nodiscard]] sim::RasterTilePtr under(int tileIndex, const sim::RasterTilePtr& before,
                                            const StrokeBuffer::MaskTile& mask) const;
 

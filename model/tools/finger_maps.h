@@ -24,8 +24,8 @@ struct FingerDab
     std::optional<glm::vec3> gatherHd = {};
 };
 
-/// Values are those before the stroke, moved by the greatest of its masks, so that neither the order of the dabs nor
-/// their overlap shows.
+/// Each texel's value is the one before the stroke, changed by the greatest mask of all dabs, so that neither the order
+/// of the dabs nor their overlap shows.
 class FingerMaps
 {
 public:

@@ -22,8 +22,8 @@ struct GradedLengths
     glm::vec3 bottomHd{0.0F};
     float topM = 0.1F;    ///< Greatest length at the top, m.
     float bottomM = 0.3F; ///< Greatest length at the bottom, m.
-    /// A fade: between their heights, each millimetre down by much the same factor, as clipper guards follow each
-    /// other. Else layers: by the distance from the top, each by the same length.
+    /// Whether it is a fade: length changes with height, each millimetre by about the same factor, as clipper guards
+    /// follow each other. Else layers: length changes evenly with the distance from the top.
     bool fades = false;
     /// Fractions of the way from top to bottom, 0..1, between which the length changes.
     float from = 0.0F, to = 1.0F;
@@ -31,9 +31,9 @@ struct GradedLengths
     [[nodiscard]] float lengthM(glm::vec3 rootHd) const;
 };
 
-/// A running cut of a group's drawn hair: each call replaces what the one before showed. The hair is cut as it lay when
-/// this was made; inside the selection, on the length layer that is the target; tip
-/// colours that are cut off are gone. GUI thread.
+/// A running cut of a group's drawn hair: each call replaces what the one before showed. It cuts the hair as it lay
+/// when this was made, inside the selection, on the target's length layer; tip colours that are cut off are gone. GUI
+/// thread.
 class GroupCut
 {
 public:
@@ -57,8 +57,8 @@ public:
     void cancel() { m_edit.cancel(); }
 
 private:
-    /// `keptOf(slot, lengthM)`: the fraction of that length that stays; 1 and more: all. A baby hair's is what the map
-    /// tells.
+    /// `keptOf(slot, lengthM)`: the fraction of that length that stays; 1 or more: all of it. For a baby hair,
+    /// `lengthM` is the map's length.
     void cut(const std::function<float(std::uint32_t slot, float lengthM)>& keptOf);
     [[nodiscard]] const sim::Groom& groom() const { return *m_hair->groom; }
     void measureHeights();

@@ -31,7 +31,7 @@ enum class Area : std::uint8_t
 struct OverHair
 {
     QPointF position;           ///< px of the view.
-    float pxPerM = 1.0F;        ///< px of the view a metre, as far away as the hair.
+    float pxPerM = 1.0F;        ///< px of the view for a metre at the hair's distance from the camera.
     glm::vec3 positionHd{0.0F}; ///< The pointer's position at the distance of the hair that the stroke began on.
     std::optional<sim::SurfacePoint> root = {}; ///< Root of the strand nearest to the pointer; none between strands.
 };
@@ -44,7 +44,7 @@ struct ToolEvent
     glm::vec2 uv{0.0F};
     /// Where the pointer is on the skin; none off the head.
     std::optional<sim::SurfacePoint> point = {};
-    /// Set where the tool is to work on the strands that are seen there, and not on the skin: no point then.
+    /// Set where the tool is to work on the strands that are seen there instead of the skin; `point` is none then.
     std::optional<OverHair> hair = {};
     float pressure = 1.0F; ///< 0..1; 1 for a mouse.
     double seconds = 0.0;
@@ -61,11 +61,11 @@ struct GrabbedHair
     float alongM = 0.0F; ///< Distance from the root along the hair; above 0.
 };
 
-/// One pointer event of the 3D area with hair in the hand.
+/// One pointer event of the 3D area while a hair is held.
 struct HairEvent
 {
-    GrabbedHair hair;         ///< What was pressed on, the same until the release.
-    glm::vec3 targetHd{0.0F}; ///< Where the pointer has taken it, as far from the camera as it was.
+    GrabbedHair hair;         ///< The point of hair that was pressed, the same until the release.
+    glm::vec3 targetHd{0.0F}; ///< Where the pointer has moved that point, at its former distance from the camera.
     Qt::KeyboardModifiers modifiers = {};
 };
 
@@ -88,7 +88,7 @@ struct GuideStrand
 {
     sim::SurfacePoint root;
     std::vector<glm::vec3> nodesHd; ///< From the root, which stays, to the tip.
-    bool held = false;              ///< One of its nodes is in the hand.
+    bool held = false;              ///< Whether one of its nodes is held.
 };
 
 /// What is drawn over the areas while a tool is in use. uv space; closed where marked.
@@ -117,11 +117,11 @@ struct ToolContext
     std::shared_ptr<const sim::StrandFrame> hair = {}; ///< The newest frame that is drawn; null before there is any.
     const SeenHair* seen = nullptr;                    ///< The picture of the 3D area; null outside it.
 
-    /// The active layer of another map of the target's group; the top one where nobody says which it is.
+    /// The active layer of another map of the target's group; the top one where `activeLayer` is not set.
     [[nodiscard]] LayerAddress layer(MapKind map) const;
 };
 
-/// What a tool is, whatever it does just now: its row.
+/// The constant properties of a tool: its row.
 struct ToolTraits
 {
     ToolId id{};
@@ -139,9 +139,10 @@ struct ToolTraits
     /// The map that it works on, whichever is active: choosing the tool, or pressing with it, makes that the active
     /// one.
     std::optional<MapKind> map = {};
-    /// What a drag with Ctrl on the head paints besides, which else it leaves alone.
+    /// A map that a drag with Ctrl on the head paints, too.
     std::optional<MapKind> paintsWithCtrl = {};
-    /// Another map that it changes too, as it is set: a layer of it must be there to be painted on. Null: none ever.
+    /// Another map that it also changes with these settings, which needs a layer that can be painted on. Null: never
+    /// any.
     std::optional<MapKind> (*alsoPaints)(const ToolSettings& settings) = nullptr;
     const DemoStroke* demo = nullptr; ///< Its demonstration; null where none is needed.
     /// Whether it works on strands, too, where they are seen in the 3D area. Null: never.
@@ -231,9 +232,9 @@ public:
     virtual void cancel(ToolContext& context) = 0;
     /// Ends a running action early, keeping it.
     virtual void commit(ToolContext& context) = 0;
-    /// Something runs: while a button is down, or pending.
+    /// Whether an action runs: while a button is down, or pending.
     [[nodiscard]] virtual bool active() const = 0;
-    /// Something runs that goes on after the button was released: a polygon waits for its next corner.
+    /// Whether the action goes on after the button was released: a polygon waits for its next corner.
     [[nodiscard]] virtual bool pending() const { return false; }
     [[nodiscard]] virtual std::vector<OverlayShape> overlay() const { return {}; }
 };
