@@ -12,7 +12,7 @@ namespace hairpaint::app {
 namespace {
 
 constexpr int kFittedEllipsoids = 5;
-/// Of the whole preparation, for its progress.
+/// Fractions of the whole preparation that are done once the mesh is read and the skin is made.
 constexpr double kReadingFraction = 0.1;
 constexpr double kSkinFraction = 0.5;
 

@@ -11,19 +11,20 @@ namespace hairpaint::app {
 struct ImportedHead
 {
     std::shared_ptr<const model::Head> head;
-    std::vector<sim::Ellipsoid> ellipsoids; ///< Fitted.
+    std::vector<sim::Ellipsoid> ellipsoids; ///< Colliders fitted to the skin.
     QByteArray sourceGlb;
     model::HeadGuess guess; ///< The unit and axis it was made with.
-    QStringList remarks{};  ///< On its parts and layout; see model::ChosenHead.
+    QStringList remarks{};  ///< Remarks on the parts and the layout; see model::ChosenHead.
 };
 
-/// Any mesh that the helper reads and that has uvs, in the space that the user or the file tells. Blocking; any thread.
+/// Makes a head of any mesh that the helper reads and that has uvs, in the space that the user or the file gives.
+/// Blocking; any thread.
 [[nodiscard]] model::Result<ImportedHead> importHead(const QString& path, const model::HeadChoice& choice = {},
                                                      const model::Progress& progress = {});
-/// Of a mesh whose parts were chosen (see model::choosePartsBy).
+/// Makes a head of a mesh whose parts were chosen (see model::choosePartsBy).
 [[nodiscard]] model::Result<ImportedHead> headOf(const QString& path, const model::RiggedMesh& source, bool ownLayout,
                                                  const model::HeadGuess& guess, const model::Progress& progress = {});
-/// The same source with another unit and axis.
+/// Makes a head of the same source with another unit and axis.
 [[nodiscard]] model::Result<ImportedHead> remakeHead(const QString& name, const QByteArray& sourceGlb,
                                                      const model::HeadGuess& guess,
                                                      const model::Progress& progress = {});

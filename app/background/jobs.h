@@ -67,7 +67,7 @@ public:
     explicit Jobs(QWidget& window);
     ~Jobs() override; ///< Stops running jobs and waits for them; their results are dropped.
 
-    /// Milliseconds since any moment: what tells how long work takes. Real time unless set.
+    /// A clock in milliseconds, from any start, that measures how long work takes. Real time unless set.
     using Clock = std::function<qint64()>;
     void setClock(Clock clock) { m_clock = std::move(clock); }
 
@@ -105,7 +105,7 @@ protected:
     void customEvent(QEvent* event) override; ///< A job that was not waited for has ended.
 
 private:
-    /// Makes what is told of the work, on the GUI thread.
+    /// Work on a thread of the service; the function that it returns is called on the GUI thread.
     using Unwatched = std::function<std::function<void()>(const model::Progress&)>;
 
     WorkEnd runWatched(const QString& doing, std::function<void(const model::Progress&)> work, bool mayBeLeft);
@@ -114,17 +114,17 @@ private:
     void tellLater(std::function<void()> told);
     void workUnwatched(const std::stop_token& stop);
 
-    /// Of threads that may outlive the service.
+    /// The way from threads that may outlive the service to the service.
     struct Ear
     {
         std::mutex mutex;
-        Jobs* jobs = nullptr; ///< Null when it is gone.
+        Jobs* jobs = nullptr; ///< Null once the service is gone.
     };
 
     QWidget& m_window;
     Clock m_clock;
     std::shared_ptr<Ear> m_ear;
-    std::mutex m_mutex; ///< Of the work and of what is told of it.
+    std::mutex m_mutex; ///< Guards m_unwatched and m_told.
     std::condition_variable_any m_wanted;
     std::deque<Unwatched> m_unwatched;
     std::vector<std::function<void()>> m_told;

@@ -98,7 +98,7 @@ bool JournalFolder::remove()
     m_own->remove(kJournal + QStringLiteral(".new"));
     m_lock.release();
     if (!std::exchange(m_isLocked, false))
-        m_own->remove(kLock); // Of the window that is gone.
+        m_own->remove(kLock); // The lock of the window that is gone.
     return m_root->removeFolder(m_name) || !m_root->entry(m_name);
 }
 

@@ -21,15 +21,16 @@ public:
     [[nodiscard]] static QString root();
     /// Creates a new one; null if nothing can be written there.
     [[nodiscard]] static std::unique_ptr<JournalFolder> create(const QString& root);
-    /// Those whose windows are gone without having removed them; from now on they are this process's. The one that was
+    /// The folders whose windows ended without removing them; from now on they are this process's. The one that was
     /// written last comes first.
     [[nodiscard]] static std::vector<std::unique_ptr<JournalFolder>> abandoned(const QString& root);
 
-    /// Of the journal.
+    /// Path of the journal's file.
     [[nodiscard]] QString file() const { return m_own->pathOf(fileName()); }
     [[nodiscard]] static QString fileName();
     [[nodiscard]] const std::shared_ptr<const model::OwnFolder>& own() const { return m_own; }
-    /// False: nothing can be written there, so it may be read but not removed.
+    /// Whether this process holds the lock; else nothing can be written there, so the journal may be read but not
+    /// removed.
     [[nodiscard]] bool isLocked() const { return m_isLocked; }
     /// Removes it with our files in it; false if it still exists.
     bool remove();

@@ -128,8 +128,8 @@ private:
     QString m_root;
     std::unique_ptr<JournalFolder> m_folder;
     std::unique_ptr<model::JournalWriter> m_writer;
-    std::deque<model::JournalState> m_states; ///< Of a writer that has failed: the next one begins with them.
-    bool m_isLacking = false;                 ///< The last task could not be done.
+    std::deque<model::JournalState> m_states; ///< The states of a writer that failed; the next writer begins with them.
+    bool m_isLacking = false;                 ///< Whether the last task failed.
 };
 
 } // namespace
@@ -141,15 +141,15 @@ struct JournalThread::Shared
         : desk(root), told(std::move(whatToTell))
     {}
 
-    std::optional<ThreadCount> count; ///< Once it is left; goes after all else.
-    Desk desk;                        ///< The thread's alone.
+    std::optional<ThreadCount> count; ///< Set once the thread is left to itself; destroyed after all other members.
+    Desk desk;                        ///< Used by the thread alone.
 
-    std::mutex mutex; ///< Of what follows.
+    std::mutex mutex; ///< Guards the members below.
     std::condition_variable changed;
     std::deque<Task> tasks;
     std::optional<Clock::time_point> busySince;
-    std::size_t ended = 0;  ///< Tasks.
-    bool isGivenUp = false; ///< In this task.
+    std::size_t ended = 0;  ///< Number of tasks that have ended.
+    bool isGivenUp = false; ///< Whether waiting for the present task was given up.
     bool isDiscarding = false;
     bool isToStop = false;
     std::function<void(const QString& problem)> told; ///< Null once nobody listens.

@@ -186,14 +186,14 @@ model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const Ren
 ExitCode renderAll(SettledHair& hair, const RenderOptions& options, const QString& output)
 {
     PictureMaker maker;
-    // Of a film's start, and it stands still.
+    // A film keeps the camera of its start.
     const rendering::Camera camera = cameraOf(options, hair);
     const model::Result<void> written = options.film.wanted() ? renderFilm(maker, hair, options, camera, output)
                                                               : renderPicture(maker, hair, camera, options, output);
     return written ? ExitCode::Done : failed(written.error());
 }
 
-/// Every file that will be written can be.
+/// An error where a file that will be written can't be.
 model::Result<void> checkOutputs(const RenderOptions& options, const QString& output, const QStringList& inputs)
 {
     if (!options.film.wanted())

@@ -8,7 +8,7 @@ namespace hairpaint::app {
 
 namespace {
 
-/// Of Unicode's Bidi_Control, and the mark that stands for no character at a file's start.
+/// Whether the character has Unicode's property Bidi_Control, or is the byte order mark.
 bool turnsWriting(QChar c)
 {
     const char16_t code = c.unicode();

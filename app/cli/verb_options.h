@@ -6,7 +6,7 @@
 namespace hairpaint::app {
 
 [[nodiscard]] std::vector<CommandOption> newOptions();
-[[nodiscard]] std::vector<CommandOption> listingOptions(); ///< Of info and presets.
+[[nodiscard]] std::vector<CommandOption> listingOptions(); ///< Options of the verbs info and presets.
 [[nodiscard]] std::vector<CommandOption> exportOptions();
 [[nodiscard]] std::vector<CommandOption> renderOptions();
 [[nodiscard]] std::vector<CommandOption> repairOptions();

@@ -42,10 +42,10 @@ Q_SIGNALS:
 private:
     [[nodiscard]] static QString noCardsText();
     [[nodiscard]] static QString notExportedText();
-    void rememberChoice(); ///< Of the open dialog.
+    void rememberChoice(); ///< Keeps the choice of the open dialog in m_export.
     void exportChosenHair();
     void previewChosen();
-    void followHair(); ///< The open dialog offers the groups and hairs that there are.
+    void followHair(); ///< Updates the groups and hairs that the open dialog offers.
     void followHead();
 
     Session& m_session;

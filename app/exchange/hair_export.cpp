@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kSettleSteps = 20;
 constexpr double kSettleStepSeconds = 0.1;
-constexpr double kSettledPart = 0.7; ///< Of all work.
+constexpr double kSettledPart = 0.7; ///< Fraction of all work that is done once the hair has settled.
 
 /// Null where `progress` cancels.
 std::shared_ptr<const sim::StrandFrame> settledFrame(const model::Project& project, const model::Progress& progress)
@@ -79,7 +79,7 @@ model::Result<std::shared_ptr<const rendering::CardSet>>
 cardsChosen(const model::Project& project, const std::shared_ptr<const sim::StrandFrame>& frame,
             const view::HairExportChoice& choice, const model::Progress& progress)
 {
-    constexpr double kMeasured = 0.2; // Of all work, finding the curves.
+    constexpr double kMeasured = 0.2; // The fraction of all work that is done once the curves are found.
     const model::ExportFormat& format = choice.request.format->hasCards ? *choice.request.format : model::cardFormat();
     const model::ExportRequest wanted = format.requestFor(choice.request);
     const Shape shape = chosenShape(project, frame, choice.source, progress);

@@ -14,8 +14,8 @@
 
 namespace hairpaint::app {
 
-/// Each time the program saves, the layer becomes what the image holds: one undo step. Several layers may be away at
-/// once, until another project is opened; the images go when this does. GUI thread.
+/// Each time the other program saves, the layer becomes what the image holds: one undo step. Several layers may be
+/// edited outside at once, until another project is opened; the images are removed with this object. GUI thread.
 class OutsideEdit : public QObject
 {
     Q_OBJECT
@@ -29,8 +29,8 @@ private:
     /// A layer that another program edits.
     struct Away
     {
-        std::optional<model::LayerAddress> layer; ///< None: its project is no longer open.
-        QByteArray bytes;                         ///< Of the file, as last written or read.
+        std::optional<model::LayerAddress> layer; ///< None once its project is no longer open.
+        QByteArray bytes;                         ///< The file's content as last written or read.
         std::unique_ptr<FileWatch> watch;
     };
 
@@ -43,7 +43,7 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder; ///< Made for the first layer.
     std::map<QString, Away> m_away;          ///< By path.
     int m_number = 0;
-    bool m_isTaking = false; ///< One comes back; others wait.
+    bool m_isTaking = false; ///< Whether an image is being read back; others wait.
 };
 
 } // namespace hairpaint::app

@@ -43,7 +43,7 @@ private:
     HairExchange& m_hair;
     std::function<ShownScene()> m_source;
     QPointer<view::PictureDialog> m_dialog;
-    ShownScene m_previewed; ///< Of the last small picture.
+    ShownScene m_previewed; ///< The scene of the last preview.
 };
 
 } // namespace hairpaint::app

@@ -22,19 +22,20 @@ class StyleFiles : public QObject
 public:
     StyleFiles(Session& session, FileWork& files);
 
-    void save();                                                ///< The open project's hair; asks for the name.
+    void save(); ///< Saves the open project's hair as a style; asks for the name.
     void carryOut(const QString& path, view::StyleOrder order); ///< Asks for what is needed.
-    void applyFrom(const QString& path);                        ///< Emits wanted().
+    void applyFrom(const QString& path);                        ///< Reads a style from elsewhere; emits wanted().
     void importStyles();                                        ///< Asks for files.
-    void importStyles(const QStringList& paths);                ///< A broken one is left out and told of.
-    void exportOwn();                                           ///< All of the user's own; asks for a folder.
-    void undo();                                                ///< What undoOffered() told of last.
-    void setCamera(std::function<rendering::Camera()> camera) { m_camera = std::move(camera); } ///< Of the 3D area.
+    void importStyles(const QStringList& paths);                ///< Broken ones are left out and reported.
+    void exportOwn(); ///< Exports all of the user's own styles; asks for a folder.
+    void undo();      ///< Takes back what undoOffered() announced last.
+    /// `camera` gives the 3D area's.
+    void setCamera(std::function<rendering::Camera()> camera) { m_camera = std::move(camera); }
 
 Q_SIGNALS:
     void changed(); ///< The library has changed.
     void renamed(const QString& before, const QString& after);
-    /// Something was done that undo() takes back, told in a sentence; an empty one: there is nothing any more.
+    /// `sentence` tells what was done and undo() can take back; empty: there is nothing to take back any more.
     void undoOffered(const QString& sentence);
     /// A style from elsewhere, on this head, is to be put on.
     void wanted(const std::shared_ptr<const hairpaint::model::Preset>& preset);

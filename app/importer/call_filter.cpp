@@ -37,7 +37,7 @@ constexpr ArgumentLimit has(unsigned argument, std::uint64_t none, std::uint64_t
     return {.argument = argument, .mask = none | all, .value = all};
 }
 
-/// Of open: for reading, and nothing besides. Whatever flag is not named here, also a future one, is refused.
+/// Limits the flags of open() to reading. Any flag that is not named here, also a future one, is refused.
 constexpr ArgumentLimit isForReading(unsigned argument)
 {
     constexpr std::uint64_t kLargeFile = 0100000; // The C library's constant is 0 where it is implied.
@@ -50,7 +50,7 @@ constexpr ArgumentLimit isNoProgram(unsigned argument)
     return has(argument, PROT_EXEC);
 }
 
-/// Of clone: a thread of this process, in the same namespaces.
+/// Limits the flags of clone() to a thread of this process, in the same namespaces.
 constexpr ArgumentLimit isThread(unsigned argument)
 {
     constexpr std::uint64_t kSpaces = CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC | CLONE_NEWUSER |

@@ -20,13 +20,13 @@ namespace hairpaint::importer {
 struct MeshoptView
 {
     int buffer = -1;
-    std::size_t byteOffset = 0, byteLength = 0; ///< Of the compressed bytes.
+    std::size_t byteOffset = 0, byteLength = 0; ///< Range of the compressed bytes in the buffer.
     std::size_t count = 0, stride = 0;          ///< Elements, and the bytes of each.
     std::string mode, filter;
 };
 
 [[nodiscard]] MeshoptView meshoptView(const tinygltf::Value& extension);
-/// None where they can't be decoded.
+/// The decoded bytes; none where they can't be decoded.
 [[nodiscard]] std::optional<std::vector<std::byte>> decodedMeshopt(const MeshoptView& view,
                                                                    std::span<const std::byte> coded);
 
@@ -34,11 +34,11 @@ struct MeshoptView
 struct DracoMesh
 {
     std::size_t vertices = 0;
-    std::vector<std::uint32_t> indices; ///< Each of a vertex, three a triangle.
+    std::vector<std::uint32_t> indices; ///< Indices of vertices, three a triangle.
     struct Attribute
     {
         int components = 0;
-        bool isNormalized = false; ///< Already.
+        bool isNormalized = false; ///< Whether the numbers are normalized already.
         std::vector<float> numbers;
     };
     std::map<int, Attribute> attributes; ///< By Draco's ids.

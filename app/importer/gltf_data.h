@@ -10,7 +10,7 @@
 namespace hairpaint::importer {
 
 using BufferBytes = std::vector<std::byte>;
-/// Of a buffer's URI that holds no data itself, as it stands in the file.
+/// Reads the file that a URI names, where the URI holds no data itself; `uri`: as it stands in the glTF.
 using BufferReader = std::function<tl::expected<BufferBytes, wire::Refusal>(const std::string& uri)>;
 
 /// A buffer's bytes are fetched when a view of it is first asked for, so that what no mesh needs may be missing. Every
@@ -24,7 +24,7 @@ public:
 
     GltfData(const GltfFile& file, BufferReader reader) : m_file(file), m_reader(std::move(reader)) {}
 
-    /// Decompressed where it is compressed (EXT_meshopt_compression).
+    /// The bytes of a buffer view, decompressed where it is compressed (EXT_meshopt_compression).
     [[nodiscard]] Read<Bytes> view(int index);
     /// What a URI names, inside the file or beside it.
     [[nodiscard]] Read<BufferBytes> uri(const std::string& named) const;
@@ -32,7 +32,7 @@ public:
     [[nodiscard]] Read<std::vector<float>> floats(int accessor, int components, std::size_t most);
     /// The same of whole numbers, none of which is below 0.
     [[nodiscard]] Read<std::vector<std::uint32_t>> wholes(int accessor, int components, std::size_t most);
-    /// None where there is no such.
+    /// The accessor of that index; null where there is none.
     [[nodiscard]] const tinygltf::Accessor* find(int accessor) const;
 
 private:
@@ -48,11 +48,11 @@ private:
 
     const GltfFile& m_file;
     BufferReader m_reader;
-    std::map<int, BufferBytes> m_buffers; ///< Those that were fetched,
-    std::map<int, BufferBytes> m_views;   ///< and those that were decompressed.
+    std::map<int, BufferBytes> m_buffers; ///< Buffers that were fetched, by index.
+    std::map<int, BufferBytes> m_views;   ///< Views that were decompressed, by index.
 };
 
-/// A number of an accessor as it counts in its mesh.
+/// A stored number of an accessor after the normalization for its component type.
 [[nodiscard]] float normalizedNumber(float number, int componentType);
 
 } // namespace hairpaint::importer

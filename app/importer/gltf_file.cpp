@@ -134,7 +134,7 @@ void takeOutIndices(Json& root)
     }
 }
 
-/// Of the members that a mesh is made of.
+/// The members of the file's JSON that describe meshes; they are moved out of `root`.
 Json description(Json& root)
 {
     constexpr std::array kNeeded = {

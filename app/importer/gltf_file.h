@@ -33,13 +33,13 @@ struct GltfFile
     tinygltf::Model model;
     std::vector<Buffer> buffers;
     std::vector<Image> images;
-    std::vector<std::byte> bytes;     ///< The whole file,
-    std::span<const std::byte> chunk; ///< and the binary chunk in it; empty where there is none.
+    std::vector<std::byte> bytes;     ///< The whole file.
+    std::span<const std::byte> chunk; ///< The binary chunk within `bytes`; empty where there is none.
     BoneNames bones;
     bool facesBack = false; ///< See vrm_bones.h.
 };
 
-/// Of a file's bytes. Its limits on size are the caller's; JSON nested deeper than a glTF's own is left out. Refuses
+/// Parses a file's bytes. The caller limits their size; JSON nested deeper than a glTF's own is left out. Refuses
 /// versions before 2 with Reason::UnknownFormat.
 [[nodiscard]] tl::expected<GltfFile, wire::Refusal> parsedGltf(std::vector<std::byte> bytes);
 

@@ -9,7 +9,7 @@
 
 namespace hairpaint::importer {
 
-/// Of uvs with v down (Khronos, KHR_texture_transform).
+/// A texture's set of uvs and their transform, with v down (Khronos, KHR_texture_transform).
 struct TextureSpace
 {
     int set = 0;

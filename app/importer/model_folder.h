@@ -21,20 +21,20 @@ public:
     explicit ModelFolder(const std::string& model);
     /// The model itself may be a link.
     [[nodiscard]] bool mayBeRead(const std::string& file) const;
-    /// Of a name that is relative to the folder, or whole.
+    /// The path of a name that is relative to the folder, or absolute.
     [[nodiscard]] std::string pathOf(const std::string& name) const;
 
     [[nodiscard]] static bool isOrdinary(const std::string& file);
-    /// Without its folders.
+    /// The file's name without folders.
     [[nodiscard]] static std::string nameOf(const std::string& file);
 
 private:
     std::string m_model;
     std::filesystem::path m_named;  ///< The folder as the model's path has it.
-    std::filesystem::path m_folder; ///< Without links; empty where that can't be told.
+    std::filesystem::path m_folder; ///< The folder with all links resolved; empty where they can't be.
 };
 
-/// Of an ordinary file, at most 1 GiB; UTF-8.
+/// The bytes of an ordinary file of at most 1 GiB; `path`: UTF-8.
 [[nodiscard]] tl::expected<std::vector<std::byte>, wire::Refusal> bytesOfFile(const std::string& path);
 
 } // namespace hairpaint::importer

@@ -10,7 +10,8 @@ namespace hairpaint::importer {
 namespace {
 
 constexpr std::size_t kSignatureBytes = 8;
-constexpr std::size_t kBareBytes = 12; ///< Of a chunk without contents: their size, its name, its sum.
+/// Bytes of a chunk besides its contents: their size, its name and its checksum.
+constexpr std::size_t kBareBytes = 12;
 
 std::size_t contentBytes(const std::vector<unsigned char>& png, std::size_t chunk)
 {

@@ -43,7 +43,7 @@ bool closeErrors()
            ::close(nowhere) == 0;
 }
 
-/// Of a fork: false where `parent` is gone already.
+/// Makes this process, a fork, end with `parent`; false where `parent` is gone already.
 bool endWith([[maybe_unused]] pid_t parent)
 {
 #ifdef __linux__

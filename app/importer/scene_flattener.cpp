@@ -136,14 +136,15 @@ private:
                 part.told.colour = glm::clamp(material.colour, 0.0F, 1.0F);
                 part.told.alpha = material.alpha;
                 part.told.doubleSided = material.doubleSided;
-                part.told.texture = mesh.uvs.empty() ? -1 : material.image; // Of the scene's images yet.
+                part.told.texture = mesh.uvs.empty() ? -1 : material.image; // An index into the scene's images for now.
             }
         }
         m_last = {.mesh = &mesh, .node = node, .tile = tile, .part = known->second};
         return m_parts[known->second].builder;
     }
 
-    /// Of an object's triangles: name, material, tile, whether they have a layout.
+    /// What makes triangles one part: the object's name, the material, the tile (two numbers), and whether they have
+    /// uvs.
     using Key = std::tuple<std::string, int, int, int, bool>;
     struct Last
     {

@@ -10,7 +10,7 @@ namespace hairpaint::importer {
 namespace {
 
 constexpr unsigned kDeepestJoint = 256;
-constexpr int kRoot = 0; ///< Of a scene's nodes.
+constexpr int kRoot = 0; ///< Index of the root among a scene's nodes.
 
 /// Assimp's own, between a joint of an FBX and the next.
 bool isPivot(const SceneNode& node)

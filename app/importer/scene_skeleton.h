@@ -19,14 +19,14 @@ class SceneSkeleton
 public:
     explicit SceneSkeleton(const ForeignScene& scene);
 
-    /// Where a mesh's vertices stand. `toWorld`: its node's.
+    /// The matrix that places a mesh's vertices in the scene. `toWorld`: that of its node.
     [[nodiscard]] glm::mat4 meshToWorld(const SceneMesh& mesh, const glm::mat4& toWorld) const;
-    /// By the mesh's vertex; empty where the scene has no joints. Remembers where its joints were bound; `meshToWorld`:
-    /// as above.
+    /// Weights by the mesh's vertex; empty where the scene has no joints. Remembers the poses in which its joints were
+    /// bound. `meshToWorld`: as meshToWorld() gives it.
     [[nodiscard]] std::vector<model::BoneWeights> weightsOf(const SceneMesh& mesh, int node,
                                                             const glm::mat4& meshToWorld);
-    /// Without weights; none where there are too many joints, or where they stand can't be told. Once all weights are
-    /// asked for. A joint whose node names a bone bears the bone's name.
+    /// The joints, without weights; none where there are too many or their poses can't be told. Call it after
+    /// weightsOf() of all meshes. A joint whose node names a bone has the bone's name.
     [[nodiscard]] model::HeadSkeleton joints() const;
 
 private:
@@ -41,19 +41,19 @@ private:
     void findBones();
     void findJoints();
     int addJoint(int node, const glm::mat4& toWorld, int parent); ///< Returns its index.
-    /// Of the node and of all below it.
+    /// Adds the joints of the node and of all nodes below it.
     void addJoints(int node, const glm::mat4& parentToWorld, int parent, unsigned depth);
     [[nodiscard]] bool isJoint(int node) const;
     [[nodiscard]] const SceneNode& at(int node) const { return m_scene.nodes[static_cast<std::size_t>(node)]; }
-    /// Of a bone's node; -1 where it is none.
+    /// Index of the node's joint; -1 where it has none.
     [[nodiscard]] int indexOf(int node) const;
-    /// The nearest at the node or above it; the first where there is none.
+    /// Index of the nearest joint at the node or above it; the first joint where there is none.
     [[nodiscard]] int jointAbove(int node) const;
 
     const ForeignScene& m_scene;
     bool m_onlyNeeded = false;
-    std::unordered_set<int> m_needed; ///< Bones' nodes, and those above them.
-    std::vector<int> m_tops;          ///< Of these, those below the scene's root.
+    std::unordered_set<int> m_needed; ///< The nodes of bones, and all nodes above them.
+    std::vector<int> m_tops;          ///< The nodes of m_needed that lie directly below the scene's root.
     std::unordered_map<int, int> m_byNode;
     std::vector<Joint> m_joints;
 };

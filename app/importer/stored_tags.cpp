@@ -11,7 +11,7 @@ namespace hairpaint::importer {
 
 namespace {
 
-constexpr std::size_t kMostEntries = 4096; ///< Of a TIFF directory, and of a PSD's resources.
+constexpr std::size_t kMostEntries = 4096; ///< Limit on the entries of a TIFF directory and on a PSD's resources.
 constexpr std::uint64_t kMostExifBytes = 1U << 20U;
 
 enum TiffTag : std::uint16_t
@@ -300,9 +300,9 @@ std::optional<std::vector<std::uint8_t>> withBitsPerSample(std::vector<std::uint
     const auto split = entries.begin() + static_cast<std::ptrdiff_t>(12 * before);
     tiff.insert(tiff.end(), entries.begin(), split);
     append(BitsPerSample, 2);
-    append(3, 2); // Of shorts,
-    append(1, 4); // one,
-    append(1, 2); // which is 1.
+    append(3, 2); // Type: 16-bit integer.
+    append(1, 4); // Number of values.
+    append(1, 2); // The value: 1 bit.
     append(0, 2);
     tiff.insert(tiff.end(), split, entries.end());
     tiff.insert(tiff.end(), next.begin(), next.end());

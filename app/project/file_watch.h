@@ -37,7 +37,7 @@ private:
     QString m_path;
     QFileSystemWatcher m_watcher;
     QTimer m_soon;
-    int m_pathNumber = 0; ///< Of m_path: answers for another one come too late.
+    int m_pathNumber = 0; ///< Number of m_path; answers for former paths are dropped by it.
     bool m_isAsked = false;
 };
 

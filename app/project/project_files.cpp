@@ -20,7 +20,7 @@ namespace hairpaint::app {
 
 namespace {
 
-constexpr double kThumbnailFraction = 0.3; ///< Of saving, for its progress.
+constexpr double kThumbnailFraction = 0.3; ///< Fraction of saving that is done once the thumbnail is drawn.
 
 const QUndoCommand* newestStep(model::Document& document)
 {

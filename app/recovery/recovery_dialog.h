@@ -16,11 +16,11 @@ namespace hairpaint::app {
 /// The unsaved work of one window.
 struct UnsavedWork
 {
-    QString name; ///< Of the project.
-    QString path; ///< Of its file; empty where it was never saved.
+    QString name; ///< Name of the project.
+    QString path; ///< Path of the project's file; empty where it was never saved.
     QDateTime changed;
     int steps = 0;      ///< Number of undo steps.
-    QString unwritable; ///< Its folder, where it can't be removed from there; else empty.
+    QString unwritable; ///< Folder of its journal, where that can't be removed; else empty.
 };
 
 /// Modal. Accepted: one of them is to be restored. Rejected: not now; they are offered again at the next start.
@@ -28,9 +28,9 @@ class RecoveryDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// Whether it is gone.
+    /// Discards the offer of that index; returns whether it is gone.
     using Discard = std::function<bool(std::size_t)>;
-    /// `discard` is called for each that the user, asked again, wants to be rid of.
+    /// `discard` is called for each offer that the user discards and confirms.
     RecoveryDialog(const std::vector<UnsavedWork>& offers, Discard discard, QWidget* parent = nullptr);
 
     void setPicture(std::size_t index, const QImage& picture);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kMostFramesPerSecond = 60.0;
 constexpr double kFewestFramesPerSecond = 5.0;
-constexpr double kDrawTimeWeight = 0.2;   ///< Of the newest frame.
-constexpr double kRateWorthTelling = 0.1; ///< Relative difference.
+constexpr double kDrawTimeWeight = 0.2;   ///< Weight of the newest frame in the mean draw time.
+constexpr double kRateWorthTelling = 0.1; ///< Least relative change of the frame rate that the worker is told.
 
 } // namespace
 

@@ -42,11 +42,11 @@ public:
     /// Call before computing from the hair: commits a stroke and drops previews. Its frame follows soon.
     void endPreviews();
 
-    /// The hair in that map's colours, its own again with none. Outside undo; the hair's motion goes on.
+    /// Shows the hair in the colours of that map; none shows its own colours again. No undo step; the motion goes on.
     void lookAt(std::optional<model::MapKind> map);
-    /// How long the 3D area took to draw a frame of hair in motion: no more frames are made than it can draw.
+    /// Tells how long the 3D area took to draw a frame of moving hair: no more frames are made than it can draw.
     void setDrawTime(double milliseconds);
-    /// Hairs whose StrandStyle::detail is below are drawn: while hair moves no others need positions.
+    /// Tells that hairs with StrandStyle::detail below `detail` are drawn: while hair moves, no others get positions.
     void setDrawnDetail(float detail);
     /// While the returned object exists, frames contain every hair, and hair() waits for such a frame.
     [[nodiscard]] std::shared_ptr<const void> wholeHair();
@@ -77,19 +77,19 @@ private:
     view::EditorState m_editor;
     model::EditSession m_lightEdit, m_windEdit; ///< What keys and drags change until they are done.
     std::shared_ptr<const sim::StrandFrame> m_frame;
-    QTimer m_inputTimer; ///< Zero: fires when the event loop has nothing older to do.
+    QTimer m_inputTimer; ///< Its interval is 0: it fires when the event loop is idle.
     std::atomic<bool> m_frameAnnounced = false;
     bool m_paused = false;
     std::uint64_t m_sentRevision = 0;
     std::optional<std::uint64_t> m_failedRevision;
     std::optional<model::MapKind> m_looked;
-    std::map<model::Id, model::MapColours> m_colours; ///< Of the map looked at, by group.
-    double m_drawMs = 0.0;                            ///< Smoothed.
-    double m_frameRate = 0.0;                         ///< As the worker was told.
+    std::map<model::Id, model::MapColours> m_colours; ///< By group: the colours of the map that is looked at.
+    double m_drawMs = 0.0;                            ///< Time to draw a frame, smoothed.
+    double m_frameRate = 0.0;                         ///< The frame rate that the worker was told last.
     float m_drawnDetail = 1.0F;
-    float m_frameDetail = 1.0F; ///< As the worker was told.
+    float m_frameDetail = 1.0F; ///< The drawn detail that the worker was told last.
     std::weak_ptr<const void> m_wholeHair;
-    std::shared_ptr<const void> m_hairOfTool; ///< While a tool may cut it: what is not positioned would stay as it is.
+    std::shared_ptr<const void> m_hairOfTool; ///< Set while a tool may cut hair: unpositioned hair would stay uncut.
     std::unique_ptr<sim::SimulationWorker> m_worker; ///< Last: it calls back until it is gone.
 };
 

@@ -17,11 +17,11 @@ namespace hairpaint::app {
 namespace {
 
 constexpr int kGapPx = 12;
-/// Of a frame that is not there yet.
+/// Assumed size of a window's frame before there is one, px.
 constexpr QSize kFramePx(8, 36);
 /// A window manager may put a window that far from where it was told to; the user moves it further.
 constexpr int kSlackPx = 16;
-constexpr QPoint kInTitle(40, 16); ///< From a dialog's corner; the screen of that is the dialog's.
+constexpr QPoint kInTitle(40, 16); ///< A point from a dialog's corner; the screen that it is on counts as the dialog's.
 
 qint64 areaOf(const QRect& rect)
 {

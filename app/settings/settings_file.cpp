@@ -76,7 +76,7 @@ struct SettingsFile::Shared
 
     const QString path;
 
-    std::mutex mutex; ///< Of what follows.
+    std::mutex mutex; ///< Guards the members below.
     std::condition_variable changed;
     std::optional<Order> waiting;
     std::optional<Clock::time_point> busySince; ///< While a thread writes.

@@ -14,7 +14,7 @@
 
 namespace hairpaint::app {
 
-/// As JSON has it; bytes as text.
+/// A setting as JSON; bytes become text.
 [[nodiscard]] QJsonValue settingToJson(const QVariant& value);
 [[nodiscard]] QVariant settingFromJson(const QJsonValue& value);
 
@@ -23,15 +23,15 @@ namespace hairpaint::app {
 class SettingsFile
 {
 public:
-    using Changes = QHash<QString, QJsonValue>; ///< By key; undefined where it was removed.
+    using Changes = QHash<QString, QJsonValue>; ///< New values by key; undefined where the key was removed.
     struct Content
     {
         QJsonObject values;
-        bool exists = false; ///< Else the values are those that 0.1 left in QSettings.
+        bool exists = false; ///< Whether the file exists; else the values are those of version 0.1 in QSettings.
     };
     struct Written
     {
-        QJsonObject values; ///< All of the file, what other windows have put there too.
+        QJsonObject values; ///< All values in the file, those of other windows included.
         Changes changes;
         bool isDone = false;
     };
@@ -40,13 +40,13 @@ public:
 
     /// None where the disk does not answer in time. No settings where it is not an ordinary file, or too large.
     [[nodiscard]] std::optional<Content> read() const;
-    /// Puts the changes into the file, as it is then; waits for nothing. Changes that are still waiting are replaced,
-    /// so all that is not known to be written belongs into them. `isClearing`: all else goes.
+    /// Puts the changes into the file as it is at the time of writing; returns at once. Replaces changes that still
+    /// wait, so `changes` must hold all that is not known to be written. `isClearing`: all other keys are removed.
     void write(Changes changes, bool isClearing);
     /// Waits until everything is written or has failed. False where the disk has not answered for as long as it is
     /// waited for: then it returns at once until it answers, and what was to be written is written when it does.
     [[nodiscard]] bool finish() const;
-    /// Of what was written last, once.
+    /// The result of the last write; given once.
     [[nodiscard]] std::optional<Written> takeWritten();
 
 private:

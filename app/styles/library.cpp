@@ -65,7 +65,7 @@ model::Project baldProject()
     model::Project project = model::newProject();
     for (model::HairGroup& group : project.groups) {
         model::makeNatural(group.settings);
-        model::setHairType(group.settings, model::hairType("3B")); // Of what is painted on the curl map.
+        model::setHairType(group.settings, model::hairType("3B")); // The curls that paint on the curl map gives.
     }
     return project;
 }
@@ -186,7 +186,7 @@ model::Result<void> exportStyle(const QString& path, const QString& folder, cons
 
 namespace {
 
-/// Of the folders and of the built-in styles: what a tag may mean besides what it says.
+/// The tags of the folders and of the built-in styles, which a typed tag is recognised as in any language.
 QStringList knownTags()
 {
     QStringList tags;

@@ -27,8 +27,9 @@ namespace {
 
 constexpr QSize kPictureSize(192, 192);
 constexpr QSize kWholeSize(480, 480);
-constexpr QRect kHeadPart(105, 18, 276, 276); ///< Of the whole picture: the bust's foot is no hair.
-constexpr float kHiddenCosine = -0.1F;        ///< Between the ways from the middle to a tie and to the eye.
+constexpr QRect kHeadPart(105, 18, 276, 276); ///< The part of the whole picture that is kept, without the bust's foot.
+/// Least cosine between the directions from the head's middle to a tie and to the eye at which the tie is seen.
+constexpr float kHiddenCosine = -0.1F;
 constexpr int kSteps = 10;
 constexpr double kStepSeconds = 0.2;
 constexpr qsizetype kMostKept = 500; ///< Pictures in the cache.

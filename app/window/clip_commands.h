@@ -24,16 +24,16 @@ public:
     void cut();
     void copy();
     void paste();
-    void take(const Dropped& dropped); ///< What was dropped on the window, as paste() takes what was copied.
-    void fill();                       ///< With the value that the tools lay.
+    void take(const Dropped& dropped); ///< Pastes what was dropped on the window.
+    void fill();                       ///< Fills with the value that the tools paint.
     void clear();
 
 Q_SIGNALS:
-    void told(const QString& message);          ///< For the status bar.
+    void told(const QString& message);          ///< A message for the status bar.
     void filesWanted(const QStringList& paths); ///< Files in the clipboard, or dropped, to be loaded.
 
 private:
-    void offerImage(); ///< Of what was copied, to other programs.
+    void offerImage(); ///< Offers what was copied to other programs as an image.
     /// Makes m_clip what the system's clipboard holds now; false where that has been dealt with, or can't be pasted.
     [[nodiscard]] bool takeClipboard();
     /// Whether the active layer may be changed; the reason is shown where it may not.

@@ -20,17 +20,17 @@ enum class FileKind
     Image ///< Whatever is none of the others.
 };
 
-/// What is dragged over the window, of which the first that there is counts.
+/// What is dragged over the window; the first of the members that is set counts.
 struct Dropped
 {
-    QStringList files;       ///< Of this machine.
-    QImage picture;          ///< As browsers have it.
-    bool isOnTheWeb = false; ///< An address alone, from which nothing is fetched.
+    QStringList files;       ///< Paths of files on this machine.
+    QImage picture;          ///< A picture, as browsers give it.
+    bool isOnTheWeb = false; ///< Whether there is only a web address, from which nothing is fetched.
     [[nodiscard]] bool isNothing() const { return files.isEmpty() && picture.isNull() && !isOnTheWeb; }
 };
 [[nodiscard]] Dropped whatIsDropped(const QMimeData& data);
 
-/// By its ending.
+/// The kind of a file by its ending.
 [[nodiscard]] FileKind fileKind(const QString& path);
 
 /// What letting go of it will do, in a sentence; an image goes into `map`.

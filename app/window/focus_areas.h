@@ -33,7 +33,8 @@ public:
     bool stepWithin(bool forward);
 
 private:
-    [[nodiscard]] std::ptrdiff_t indexOf(const QWidget* widget) const; ///< Of the area around it; -1: none.
+    /// Index of the area that contains the widget; -1 for none.
+    [[nodiscard]] std::ptrdiff_t indexOf(const QWidget* widget) const;
     bool enter(Area& area, bool forward);
 
     std::vector<Area> m_areas;

@@ -23,7 +23,7 @@ public:
 
 Q_SIGNALS:
     void failed(const QString& problem);
-    void landmarksWanted(); ///< Of the head that is open.
+    void landmarksWanted(); ///< The landmarks of the open head are to be set.
 
 private:
     view::StyleStrip& m_strip;

@@ -12,10 +12,10 @@ namespace hairpaint::model {
 struct SweptSection
 {
     glm::vec3 centre{0.0F};
-    glm::vec3 side{1.0F, 0.0F, 0.0F}; ///< Unit, as the next, and at right angles to it.
+    glm::vec3 side{1.0F, 0.0F, 0.0F}; ///< Unit, at right angles to `up`, which is unit, too.
     glm::vec3 up{0.0F, 1.0F, 0.0F};
-    float halfSide = 0.1F; ///< Semi-axis along `side`, above 0,
-    float halfUp = 0.1F;   ///< and along `up`.
+    float halfSide = 0.1F; ///< Semi-axis along `side`, above 0.
+    float halfUp = 0.1F;   ///< Semi-axis along `up`, above 0.
 };
 
 /// Adds the surface of what the sections sweep: a ring where `closed`, else with flat ends. `corners`: of a section.

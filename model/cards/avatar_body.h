@@ -10,10 +10,10 @@ namespace hairpaint::model {
 
 struct AvatarBody
 {
-    glm::quat turn{1, 0, 0, 0};   ///< From Hd, about y.
-    std::vector<JointPose> poses; ///< Of the skeleton's joints.
+    glm::quat turn{1, 0, 0, 0};   ///< Rotation about y from Hd to the avatar's space.
+    std::vector<JointPose> poses; ///< Poses of the skeleton's joints, by joint.
     PosedMesh mesh;
-    std::vector<PosedMesh> parts = {}; ///< The avatar's.
+    std::vector<PosedMesh> parts = {}; ///< The avatar's parts, posed; by part.
 };
 
 [[nodiscard]] AvatarBody avatarBody(const Avatar& avatar);

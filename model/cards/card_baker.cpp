@@ -130,7 +130,7 @@ LineCount linesFor(const SampledHair& hair, const CardStrip& strip, const AtlasP
     const auto cardM2 = static_cast<double>(strip.areaM2());
     if (areaM2 <= 0.0 || lengthM <= 0.0 || cardM2 <= 0.0)
         return {.count = strip.hairs.size()};
-    // Of lines that are at least so wide, as many as have the hairs' area: what lies over another is counted in both.
+    // Lines at least kLeastWidthPx wide, as many as have the hairs' area: where hairs overlap, each counts.
     const double meanLengthPx = lengthM / static_cast<double>(strip.hairs.size()) /
                                 static_cast<double>(strip.lengthM()) * static_cast<double>(patch.height);
     const double wantedPx =
@@ -165,7 +165,7 @@ LineCount linesOn(const ScalpCap& cap, const SampledHair& hair, const glm::vec2&
     return {.count = static_cast<std::size_t>(std::ceil(hairs * areaEach / (least * (lengthEach + least))))};
 }
 
-/// Of some hairs so many, the same ones each time.
+/// Chooses `count` of the hairs by chance, the same ones each time, each with the number that it was drawn by.
 std::vector<std::pair<std::uint64_t, std::uint32_t>> chosenOf(const CurveSet& set, const SampledHair& hair,
                                                               std::span<const std::uint32_t> hairs, std::size_t count)
 {

@@ -28,8 +28,8 @@ QStringList cardImagePaths(const QString& path)
 Result<void> writeCardFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                            const Progress& progress)
 {
-    constexpr double kMade = 0.7;     // Of all work.
-    constexpr double kPictured = 0.9; // PNG files are there.
+    constexpr double kMade = 0.7;     // The fraction of all work that is done once the cards are made.
+    constexpr double kPictured = 0.9; // The fraction of all work that is done once the PNG files are written.
     QStringList paths{path};
     if (!curves.curves().empty())
         paths += cardImagePaths(path);

@@ -24,7 +24,7 @@ constexpr QLatin1StringView kLevelExtension("MSFT_lod");
 constexpr QLatin1StringView kSpringExtension("VRMC_springBone");
 constexpr QLatin1StringView kAvatarExtension("VRMC_vrm");
 
-/// Of the picture's height, by level: what is smaller shows the next.
+/// By level: the least fraction of the picture's height at which the level is shown; below it the next one is.
 constexpr std::array<double, CardSettings::kMostLevels> kLeastOnScreen = {0.5, 0.2, 0.0};
 
 /// Puts meshes and images into the binary chunk and describes them.
@@ -135,7 +135,7 @@ public:
                                       {QStringLiteral("sampler"), 0}});
     }
 
-    /// Of all cards, before any is added; its first two images are base colour and normals.
+    /// Adds the one material of all cards, before any card is added. The first two images are base colour and normals.
     void addCardMaterial(float roughness)
     {
         const auto texture = [](int index) { return QJsonObject{{QStringLiteral("index"), index}}; };
@@ -347,7 +347,7 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
     glb.reserveImages(images);
     const Avatar* const avatar = settings.avatar.get();
     const AvatarBody body = avatar != nullptr ? avatarBody(*avatar) : AvatarBody{};
-    JointPose frame; // Of the hair's space in the file.
+    JointPose frame; // The frame of the hair's space (Wo) in the space of the file.
     if (avatar != nullptr) {
         frame.rotation = body.turn * glm::conjugate(curves.pose().rotation);
         frame.position = frame.rotation * -curves.pose().positionWo;

@@ -15,8 +15,8 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr float kFlyawayPart = 0.06F; ///< Of the triangles.
-constexpr int kCapPart = 8;           ///< Of the triangles, at most, for each.
+constexpr float kFlyawayPart = 0.06F; ///< Fraction of the triangles that flyaways get.
+constexpr int kCapPart = 8;           ///< A cap gets at most one part in this many of the triangles.
 
 /// Hairs of each group, and among them those that stray from their lock.
 struct Strays
@@ -173,7 +173,7 @@ HairsByGroup hairsInLocks(const HairsByGroup& byGroup, const CardLevel& finest, 
     HairsByGroup kept = byGroup;
     for (std::size_t group = 0; group < kept.size(); ++group) {
         std::erase_if(kept[group], [&strays](std::uint32_t i) { return strays[i]; });
-        if (kept[group].empty()) // Of very few hairs each may stray.
+        if (kept[group].empty()) // Where a group has very few hairs, all of them may be strays.
             kept[group] = byGroup[group];
     }
     return kept;

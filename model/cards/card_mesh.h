@@ -25,8 +25,8 @@ struct CardMesh
     std::vector<std::uint32_t> indices; ///< Three a triangle, counter-clockwise from outside.
 };
 
-/// Of the cap and the strips of one group in a level. Normals lean to the strip's sides, so that it is lit like a round
-/// lock.
+/// The mesh of the cap and the strips of one group in a level. Normals lean to the strip's sides, so that it is lit
+/// like a round lock.
 [[nodiscard]] CardMesh cardMesh(const HairCards& cards, const CardLevel& level, std::size_t group);
 /// The mesh in the coordinates of `frame`.
 [[nodiscard]] CardMesh movedMesh(CardMesh mesh, const JointPose& frame);

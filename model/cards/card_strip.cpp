@@ -12,8 +12,8 @@ namespace hairpaint::model {
 namespace {
 
 constexpr std::size_t kSamples = SampledHair::kSamples;
-constexpr float kLeftOut = 0.05F; ///< Of the hairs, on each side.
-constexpr float kOuter = 0.8F;    ///< So many of the hairs lie under the strip.
+constexpr float kLeftOut = 0.05F; ///< Fraction of the hairs that is left outside, on each side.
+constexpr float kOuter = 0.8F;    ///< Fraction of the hairs that lie under the strip.
 constexpr float kNarrowestHalfM = 0.2e-3F;
 constexpr float kShortestM = 0.2e-3F;
 constexpr int kFrameRounds = 12;
@@ -78,7 +78,7 @@ Vectors normalsOf(const Vectors& path, const Vectors& tangents, const HairField&
         last = unitOr(last + wanted.at(i), last);
         normals.at(i) = last;
     }
-    constexpr float kKept = 2.0F; ///< Of the neighbours, against what is wanted there.
+    constexpr float kKept = 2.0F; ///< Weight of the neighbours' normals against 1 for the wanted normal.
     for (int round = 0; round < kFrameRounds; ++round)
         for (std::size_t i = 0; i < kSamples; ++i) {
             const glm::vec3 around = normals.at(i > 0 ? i - 1 : 0) + normals.at(std::min(i + 1, kSamples - 1));

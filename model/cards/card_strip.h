@@ -17,14 +17,14 @@ struct StripNode
     glm::vec3 sideWo{1.0F, 0.0F, 0.0F};
     glm::vec3 normalWo{0.0F, 0.0F, 1.0F};
     float halfWidthM = 0.0F;
-    float alongM = 0.0F; ///< From the first node.
+    float alongM = 0.0F; ///< Distance from the first node along the strip.
 };
 
 struct CardStrip
 {
     std::vector<StripNode> nodes;     ///< 2 or more, root first.
-    std::vector<std::uint32_t> hairs; ///< Of SampledHair: what is drawn on it.
-    float openness = 0.0F;            ///< Mean of the field's, 0..1: how near it is to the hair's surface.
+    std::vector<std::uint32_t> hairs; ///< Indices into SampledHair: the hairs that are drawn on the strip.
+    float openness = 0.0F; ///< Mean openness in HairField, 0..1: how near the strip is to the hair's surface.
     bool flyaway = false;
     [[nodiscard]] float lengthM() const { return nodes.back().alongM; }
     [[nodiscard]] float greatestWidthM() const;
@@ -36,8 +36,8 @@ struct CardStrip
 struct StripPoint
 {
     float across = 0.0F;  ///< -1 at its left border, 1 at its right.
-    float alongM = 0.0F;  ///< From the first node.
-    float heightM = 0.0F; ///< Along its normal.
+    float alongM = 0.0F;  ///< Distance from the first node along the strip.
+    float heightM = 0.0F; ///< Height over the strip, along its normal.
 };
 
 /// Where points of one curve, root first, lie on a strip: each is sought near the one before. One thread.
@@ -52,8 +52,8 @@ private:
     std::size_t m_segment = 0;
 };
 
-/// It follows the lock's mean, from where nine of ten hairs have begun to where nine of ten have ended, is as wide as
-/// nine of ten of them need, faces away from hair and head, and turns no faster than that asks.
+/// The strip of a lock. It follows the lock's mean, is as long and as wide as about nine of ten hairs need, faces away
+/// from hair and head, and turns along its length no faster than needed.
 [[nodiscard]] CardStrip stripOf(const SampledHair& hair, const HairLock& lock, const HairField& field);
 
 } // namespace hairpaint::model

@@ -11,7 +11,8 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr double kSampled = 0.2; ///< Of all work.
+/// Fractions of all work that are done once hairs are sampled, locks divided and textures baked.
+constexpr double kSampled = 0.2;
 constexpr double kDivided = 0.5;
 constexpr double kBaked = 0.9;
 

@@ -14,13 +14,13 @@ namespace hairpaint::model {
 
 struct HairCards
 {
-    /// One at least. Each has half the triangles of the one before, and shows the same atlas.
+    /// Levels of detail, finest first, one at least. Each has half the triangles of the one before, on the same atlas.
     std::vector<CardLevel> levels;
-    std::vector<AtlasPatch> patches; ///< Of the first level: a strip's each, then those of the caps that are there.
+    std::vector<AtlasPatch> patches; ///< Patches of the finest level: one for each strip, then one for each cap.
     CardImages images;
-    std::optional<CardBones> bones{}; ///< Where they are wanted and there are strips.
+    std::optional<CardBones> bones{}; ///< None where they are not wanted or there are no strips.
     [[nodiscard]] const CardLevel& finest() const { return levels.front(); }
-    /// Of the cap of a group that has one.
+    /// The patch of a group's cap; the group must have one.
     [[nodiscard]] const AtlasPatch& capPatch(std::size_t group) const;
 };
 

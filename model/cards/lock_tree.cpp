@@ -13,7 +13,7 @@ namespace {
 
 using Path = std::array<glm::vec3, SampledHair::kSamples>;
 
-constexpr std::size_t kMostCompared = 2048; ///< Of a lock's hairs, while its halves are sought.
+constexpr std::size_t kMostCompared = 2048; ///< Limit on the hairs of a lock that are compared to find its halves.
 constexpr int kMeanRounds = 4;
 constexpr float kAlikeM = 0.25e-3F; ///< A spread that needs no division.
 

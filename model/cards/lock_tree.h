@@ -12,21 +12,21 @@ namespace hairpaint::model {
 /// Hairs that run nearly alike.
 struct HairLock
 {
-    std::vector<std::uint32_t> hairs; ///< Of SampledHair.
+    std::vector<std::uint32_t> hairs; ///< Indices into SampledHair.
     std::array<glm::vec3, SampledHair::kSamples> meanWo{};
-    float spreadM = 0.0F; ///< Root of the mean squared distance from there.
+    float spreadM = 0.0F; ///< Root mean square distance of the hairs from the mean.
 };
 
-/// At which of the lock's samples a strip along it has nodes, both ends among them.
+/// Puts into `kept` the samples at which a strip along the lock has nodes, both ends among them.
 void stripSamples(const HairLock& lock, std::vector<std::uint16_t>& kept);
 
-/// Of a strip along it: two a segment.
+/// Number of triangles of a strip along the lock: two a segment.
 [[nodiscard]] int stripTriangles(const HairLock& lock);
 
-/// Divides what runs most apart again and again, as long as the strips along all locks have at most `triangles`
-/// together; a lock of less than a hair's few widths stays whole. `sets`: hairs that are never in one lock, of which
-/// those without hairs give none and the others at least one, however few triangles there are. `weights`: by hair of
-/// SampledHair, above 0: how much it matters. The same hairs give the same locks.
+/// Divides the lock with the greatest spread again and again, as long as the strips along all locks have at most
+/// `triangles` together; a lock a few hairs wide stays whole. `sets`: hairs of different sets are never in one lock; an
+/// empty set gives no lock, any other at least one, however few triangles there are. `weights`: by hair of SampledHair,
+/// how much it matters, above 0. The same hairs give the same locks.
 [[nodiscard]] std::vector<HairLock> dividedIntoLocks(const SampledHair& hair,
                                                      std::vector<std::vector<std::uint32_t>> sets,
                                                      std::span<const float> weights, int triangles);

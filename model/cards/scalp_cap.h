@@ -9,7 +9,7 @@
 
 namespace hairpaint::model {
 
-/// Shorter hair is drawn on a cap instead of strips, m.
+/// Hair shorter than this is drawn on a cap instead of strips, m.
 inline constexpr float kShortestOnStripsM = 0.006F;
 
 /// A piece of a head's skin, a little above it, spread out flat.
@@ -23,10 +23,10 @@ struct ScalpCap
     };
     std::vector<Vertex> vertices;
     std::vector<glm::uvec3> triangles; ///< Counter-clockwise from outside.
-    std::vector<std::uint32_t> hairs;  ///< Of SampledHair.
+    std::vector<std::uint32_t> hairs;  ///< Indices into SampledHair.
     glm::vec2 leastM{0.0F};            ///< Bounds of the flattened vertices.
     glm::vec2 greatestM{0.0F};
-    glm::vec3 middleWo{0.0F}; ///< From where it is seen all around.
+    glm::vec3 middleWo{0.0F}; ///< Centre of the projection, see flat().
     glm::vec3 axisWo{0.0F, 1.0F, 0.0F};
     float radiusM = 0.1F;
 
@@ -39,8 +39,8 @@ struct ScalpCap
     [[nodiscard]] glm::vec2 uv(const glm::vec2& flatM) const { return (flatM - leastM) / (greatestM - leastM); }
 };
 
-/// Over the skin where the roots of `hairs`, of one group, are, with at most `triangles`; none where there are no hairs
-/// or so few triangles hold no skin.
+/// A cap over the skin where the roots of `hairs`, of one group, are, with at most `triangles`; none where there are no
+/// hairs or the triangles are too few to cover any skin.
 [[nodiscard]] std::optional<ScalpCap> capOver(const CurveSet& set, const SampledHair& hair,
                                               std::vector<std::uint32_t> hairs, int triangles);
 

@@ -105,7 +105,7 @@ QStringList OwnFolder::names() const
             (void)::close(own);
         return found;
     }
-    // Of this list nobody else reads. NOLINTNEXTLINE(concurrency-mt-unsafe)
+    // No other thread reads this list. NOLINTNEXTLINE(concurrency-mt-unsafe)
     while (const dirent* entry = ::readdir(list)) {
         const QString name = QFile::decodeName(static_cast<const char*>(entry->d_name));
         if (name != QLatin1String(".") && name != QLatin1String(".."))

@@ -41,7 +41,7 @@ private:
     QString m_folder; ///< Empty where none could be made.
     QFile m_lock;
     QString m_problem;   ///< Why nothing can be staged, as a clause.
-    QStringList m_names; ///< Of files that may lie in it: to find them by listing would need memory.
+    QStringList m_names; ///< Names of files that may lie in the folder; listing it on the way out would need memory.
     qsizetype m_asideCount = 0;
 };
 

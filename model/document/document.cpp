@@ -41,8 +41,8 @@ struct Document::State
     std::uint64_t revision = 1;
     QUndoStack undoStack;
     UndoBudget undoBudget;
-    MapResolver resolver;   ///< Of what is shown.
-    ProjectPatches patches; ///< Of what is committed.
+    MapResolver resolver;   ///< Resolves the maps of the content that is shown.
+    ProjectPatches patches; ///< The patches of the committed content.
 
     explicit State(Project project) : committed(std::move(project)), resolver(committed)
     {

@@ -14,10 +14,11 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr std::size_t kIndexChannels = 2; ///< Of a layer: index, or value, and coverage.
-constexpr float kPartingM = 0.0012F;      ///< From its middle to either side.
-constexpr int kMostSkipped = 8;           ///< Texels that are not looked at.
-constexpr float kSidewaysM = 0.01F;       ///< A click nearer to the middle of the head is on neither side.
+/// Channels of a layer with one value: the index or value, then the coverage.
+constexpr std::size_t kIndexChannels = 2;
+constexpr float kPartingM = 0.0012F; ///< Half the width of a painted parting.
+constexpr int kMostSkipped = 8;      ///< The most texels of a row that are skipped at once.
+constexpr float kSidewaysM = 0.01F;  ///< A click nearer to the middle of the head is on neither side.
 
 std::uint16_t paletteIndexOf(const WornSpec& spec)
 {

@@ -9,8 +9,9 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr std::uint16_t kFullCurl = 65535;          ///< As coverage, too.
-constexpr std::uint16_t kLeastCurl = kFullCurl / 4; ///< Of coils: below, hair looks straight or nearly so.
+constexpr std::uint16_t kFullCurl = 65535; ///< Full curl, and full coverage.
+/// Least curl at which hair shows coils; below it, hair looks straight or nearly so.
+constexpr std::uint16_t kLeastCurl = kFullCurl / 4;
 
 bool showsCurl(const sim::TiledRaster& curl)
 {

@@ -12,27 +12,27 @@ namespace hairpaint::model {
 /// Size and time of a project's file when this program last read or wrote it.
 struct KnownFile
 {
-    qint64 bytes = -1; ///< -1: not known.
-    qint64 timeMs = 0; ///< When it was changed last; since 1970, UTC.
+    qint64 bytes = -1; ///< The file's size; -1 where it is not known.
+    qint64 timeMs = 0; ///< When the file was changed last, ms since 1970, UTC.
 };
 
 /// The committed content after one step of the undo history, and where in it that is.
 struct JournalState
 {
     Project project;
-    QString path;        ///< Of the project's file; empty where it was never saved.
-    KnownFile file = {}; ///< Stamp of the file at `path`.
-    QString step;        ///< What undo calls the step that led here.
-    int index = 0;       ///< Steps that undo would take back.
-    int count = 0;       ///< Steps that the history holds, those that were undone included.
-    qint64 timeMs = 0;   ///< Since 1970, UTC.
+    QString path;        ///< Path of the project's file; empty where the project was never saved.
+    KnownFile file = {}; ///< Size and time of the file at `path`.
+    QString step;        ///< Text of the undo step that led to this state.
+    int index = 0;       ///< Number of steps that undo can take back.
+    int count = 0;       ///< Number of steps in the history, undone ones included.
+    qint64 timeMs = 0;   ///< When the step was made, ms since 1970, UTC.
 };
 
 /// What is read from a journal.
 struct RecoveredWork
 {
     std::vector<JournalState> steps; ///< Neighbours in the history, oldest first; one at least.
-    std::size_t current = 0;         ///< The one that was shown last.
+    std::size_t current = 0;         ///< Index into `steps` of the state that was shown last.
 };
 
 } // namespace hairpaint::model

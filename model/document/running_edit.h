@@ -10,7 +10,7 @@
 
 namespace hairpaint::model {
 
-/// Committed content with its parts edited and its tiles put in.
+/// The committed content, and the previewed parts and tiles that replace some of it.
 struct RunningEdit
 {
     std::uint64_t session = 0;
@@ -18,20 +18,21 @@ struct RunningEdit
     Project shown;
     std::vector<ShownPart> parts;
     std::map<LayerAddress, std::map<int, sim::RasterTilePtr>> tiles;
-    std::optional<ProjectPatches> patches = {}; ///< Of what is shown, once it touched an accessory map.
-    std::vector<Worn> plainWorn = {};           ///< Then: what is worn before it follows its patches,
-    Id plainNextId = 1;                         ///< and the next id;
-    std::vector<Worn> toldWorn = {};            ///< what was last shown as worn.
+    /// The patches of `shown`; none until the edit touches an accessory map.
+    std::optional<ProjectPatches> patches = {};
+    std::vector<Worn> plainWorn = {}; ///< What is worn in `shown` before it follows the patches.
+    Id plainNextId = 1;               ///< Project::nextId before what is worn follows the patches.
+    std::vector<Worn> toldWorn = {};  ///< What was worn when followPatches() last ran.
 
     [[nodiscard]] bool showsSomething() const { return !parts.empty() || !tiles.empty(); }
     /// Replaces the previewed part for the same part of the content by `part`.
     void showPart(const Project& committed, ShownPart part);
     /// The change to emit; none if the layer does not exist.
     std::optional<Change> showTiles(const LayerAddress& address, const LayerTiles& tiles);
-    /// What is worn follows the patches that are shown; whether it differs from what was shown last. `before`: of the
-    /// committed content.
+    /// Makes what is worn follow the patches that are shown; returns whether it differs from what was shown last.
+    /// `before`: the patches of the committed content.
     [[nodiscard]] bool followPatches(const ProjectPatches& before);
-    /// Everything that was told of it.
+    /// All changes that this edit has announced.
     [[nodiscard]] std::vector<Change> changes() const;
     /// A command that makes the previewed bytes the committed content. Null if nothing differs.
     [[nodiscard]] CommandPtr command(Document& document) const;

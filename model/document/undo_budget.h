@@ -48,8 +48,8 @@ private:
     void enforce(QUndoStack& stack);
 
     std::size_t m_limit = kUsualBytes;
-    std::vector<std::size_t> m_bytes; ///< Of each command of the stack.
-    std::size_t m_sum = 0;            ///< Of those above the floor.
+    std::vector<std::size_t> m_bytes; ///< Bytes that each command of the stack keeps, by its index.
+    std::size_t m_sum = 0;            ///< Bytes kept by the commands above the floor.
     int m_floor = 0;
 };
 

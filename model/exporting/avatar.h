@@ -11,18 +11,18 @@
 
 namespace hairpaint::model {
 
-/// Immutable.
+/// A head with skeleton, body and the texts that name it. Immutable.
 struct Avatar
 {
     static constexpr int kLongestText = 200;
 
-    QString name;          ///< Without line breaks.
-    QString author;        ///< Likewise.
+    QString name;          ///< Name of the avatar, without line breaks.
+    QString author;        ///< Author of the avatar, without line breaks.
     HeadSkeleton skeleton; ///< Hd.
     HumanoidBones bones;
-    std::shared_ptr<const sim::Skin> skin;                  ///< Whose vertices the skeleton's weights are for.
-    std::vector<HeadPart> parts = {};                       ///< Of its body, Hd,
-    std::vector<std::vector<BoneWeights>> partWeights = {}; ///< with the weights of their vertices.
+    std::shared_ptr<const sim::Skin> skin; ///< The head's skin; the skeleton's weights are by its vertices.
+    std::vector<HeadPart> parts = {};      ///< The parts of the body, Hd.
+    std::vector<std::vector<BoneWeights>> partWeights = {}; ///< By part: the weights of its vertices.
 };
 
 /// A clause that says what is missing and what to do, where the head has no such skeleton. Texts that are empty are

@@ -14,7 +14,7 @@ struct CardSettings
 
     int triangles = 15'000;   ///< At most; hair that asks for fewer gets fewer.
     int atlasPx = 2048;       ///< 1024, 2048 or 4096: a side of the textures.
-    int levels = 1;           ///< Of detail, each of half the triangles of the one before.
+    int levels = 1;           ///< Number of levels of detail; each has half the triangles of the one before.
     bool springBones = false; ///< Joints along the locks, with what avatar programs need to let them swing.
     bool withHead = false;    ///< The head's mesh beside the cards, held by the same skeleton.
     friend bool operator==(const CardSettings&, const CardSettings&) = default;

@@ -25,8 +25,8 @@ struct CurveGroupName
 
 struct CurveOptions
 {
-    std::vector<CurveGroupName> groups; ///< Those that are exported; hidden ones are left out all the same.
-    std::optional<std::size_t> hairs;   ///< So many of the hairs, evenly spread; else all.
+    std::vector<CurveGroupName> groups; ///< Groups to export; hidden groups are left out all the same.
+    std::optional<std::size_t> hairs;   ///< Number of hairs to export, evenly spread; none for all.
     float toleranceM = 0.0F; ///< Points that lie within it of the curve without them are left out; 0 keeps all.
 };
 
@@ -41,7 +41,7 @@ struct Curve
     [[nodiscard]] std::uint64_t endPoint() const { return firstPoint + points; }
 };
 
-/// Curves of a group stand together.
+/// The curves of one group, which follow each other in CurveSet::curves().
 struct CurveGroup
 {
     int id = 0;
@@ -50,9 +50,9 @@ struct CurveGroup
     std::uint32_t firstId = 0;  ///< Added to the candidates' ranks, so that ids are unique.
     std::span<const Curve> curves = {};
     std::span<const Curve> guides = {}; ///< The basis hairs among them, as skeletons.
-    glm::vec3 leastWo{0.0F};            ///< Of the curves' and the guides' points, m.
+    glm::vec3 leastWo{0.0F};            ///< Lower corner of the box around the points of curves and guides, m.
     glm::vec3 greatestWo{0.0F};
-    glm::vec3 middleWo{0.0F}; ///< Of the roots.
+    glm::vec3 middleWo{0.0F}; ///< Mean of the roots, m.
 };
 
 /// What evaluating a curve needs, kept from one to the next. One per thread.
@@ -81,8 +81,8 @@ public:
     [[nodiscard]] std::span<const CurveGroup> groups() const { return m_groups; }
     [[nodiscard]] std::span<const Curve> curves() const { return m_curves; }
     [[nodiscard]] std::uint64_t pointCount() const { return m_curves.empty() ? 0 : m_curves.back().endPoint(); }
-    /// How many hairs that are there stand for one that is exported, at least 1: fewer hairs are
-    /// drawn wider by that factor, to cover as much.
+    /// How many hairs of the groom one exported hair stands for, at least 1. Exported hairs are wider by that factor,
+    /// to cover as much.
     [[nodiscard]] float thinning() const { return m_thinning; }
 
     /// Wo, m; valid until the next call with that scratch.
@@ -92,21 +92,22 @@ public:
     /// Position of point i along a curve: 0 at the root, 1 at the tip.
     [[nodiscard]] float fraction(const Curve& curve, std::uint32_t i) const;
 
-    /// A hair keeps its root's opacity for long, and thins out by it: as on the screen. 0..1.
+    /// Opacity at a fraction of the curve, 0..1, as on the screen: a hair keeps its root's opacity for most of its
+    /// length.
     [[nodiscard]] float opacity(const Curve& curve, float fraction) const;
     /// Diameter as it is seen, m: thinned out by the opacity.
     [[nodiscard]] float width(const Curve& curve, float fraction) const;
-    /// Linear light, 0..1: mixed from root to tip in it.
+    /// Colour in linear light, 0..1, mixed from root to tip in linear light.
     [[nodiscard]] glm::vec3 linearColour(const Curve& curve, float fraction) const;
     /// The same in sRGB as encoded. A channel that is equal at root and tip keeps its exact value.
     [[nodiscard]] glm::vec3 encodedColour(const Curve& curve, float fraction) const;
-    /// Of its highlights, as the group's settings and the gloss map have it.
+    /// Roughness of the highlights, from the group's settings and the gloss map.
     [[nodiscard]] float roughness(const Curve& curve) const;
     /// This hair's own lightness, about 1, for linear light: the colours above are without it.
     [[nodiscard]] float lightness(const Curve& curve) const;
     [[nodiscard]] std::uint32_t id(const Curve& curve) const;
     [[nodiscard]] glm::vec2 rootUv(const Curve& curve) const;
-    /// Those of the curve's group, by slot.
+    /// The roots of the curve's group, by slot.
     [[nodiscard]] const sim::RootSet& roots(const Curve& curve) const;
     [[nodiscard]] const sim::StrandMaterial& material(const Curve& curve) const;
     [[nodiscard]] const sim::PhysicsSettings& physics(std::size_t group) const;
@@ -135,7 +136,7 @@ private:
     std::vector<CurveGroup> m_groups;
     std::vector<Curve> m_curves;
     std::vector<Curve> m_guides;
-    std::vector<std::uint16_t> m_kept; ///< By point: which of the evaluated it is; empty where all are kept.
+    std::vector<std::uint16_t> m_kept; ///< By point: its index among the evaluated points; empty where all are kept.
     float m_thinning = 1.0F;
 };
 

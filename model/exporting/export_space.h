@@ -37,12 +37,14 @@ struct ExportSettings
 {
     ExportSpace space;
     bool groomColours = false;     ///< Its reader takes colours from Unreal's groom attributes alone.
-    CardSettings cards{};          ///< For formats that make some;
-    std::vector<Worn> worn{};      ///< what keeps them out where they swing, and goes with the head.
-    std::vector<HeadPart> parts{}; ///< Beside the head's mesh, Hd.
-    std::shared_ptr<const sim::MeshTexture> headTexture{}; ///< Null where its file shows none.
-    QRgb skinColour = 0xFF808080;                          ///< Of the head beside them.
-    std::shared_ptr<const Avatar> avatar{};                ///< Whose body that head is part of, for formats of avatars.
+    CardSettings cards{};          ///< Settings of hair cards, for formats that make them.
+    std::vector<Worn> worn{};      ///< Worn things: colliders of cards that swing, and exported with the head.
+    std::vector<HeadPart> parts{}; ///< Parts of the head's character beside the head's mesh, Hd.
+    /// The texture on the head's skin; null where its file has none.
+    std::shared_ptr<const sim::MeshTexture> headTexture{};
+    QRgb skinColour = 0xFF808080; ///< Colour of the skin of an exported head.
+    /// The avatar that the head belongs to; null for formats other than avatars.
+    std::shared_ptr<const Avatar> avatar{};
 };
 
 } // namespace hairpaint::model

@@ -107,7 +107,8 @@ Result<void> writeRibbonFile(const CurveSet& curves, const ExportSettings& setti
     return writeInPieces(path, curves.pointCount() * kRibbonPointBytes, progress,
                          [&](AtomicFile&, PieceWriter& writer) -> Checked<void> {
                              constexpr double kMeasuredPart = 0.4;
-                             constexpr double kVertexPart = 0.9; // Of the rest.
+                             // The fraction of writing that vertices take; indices take the rest.
+                             constexpr double kVertexPart = 0.9;
                              const auto doneWith = [&curves](const RibbonGroup& group) {
                                  return static_cast<double>(group.curves->curves.back().endPoint()) /
                                         static_cast<double>(curves.pointCount());

@@ -14,7 +14,7 @@
 
 namespace hairpaint::model {
 
-/// As it lies in the file.
+/// A vertex as the file's binary chunk holds it.
 struct RibbonVertex
 {
     glm::vec3 position;
@@ -46,7 +46,7 @@ public:
     void add(const CurveSet& set, const RibbonGroup& group);
     void add(const WornBody& body); ///< Its vertices are HeadVertexOut, as it has them.
 
-    [[nodiscard]] quint64 bytes() const { return m_bytes; } ///< Of the chunk.
+    [[nodiscard]] quint64 bytes() const { return m_bytes; } ///< Size of the binary chunk.
     [[nodiscard]] QJsonObject finish() const;
 
 private:

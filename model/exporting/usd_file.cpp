@@ -63,7 +63,7 @@ private:
     {
         return guide ? static_cast<float>(i) / static_cast<float>(curve.segments) : m_set.fraction(curve, i);
     }
-    /// Of all work, with `weight` of this group's done.
+    /// Fraction of the whole file that is written, 0..1, once `weight` (0..1) of this group is.
     [[nodiscard]] double progressAt(double weight, std::span<const Curve> curves) const
     {
         const double perPoint = m_allPoints > 0 ? 1.0 / static_cast<double>(m_allPoints) : 0.0;

@@ -30,8 +30,8 @@ struct SheetEdge
 
 struct Sheet
 {
-    std::vector<SheetEdge> edges;   ///< Between two triangles; uv.
-    std::vector<SheetEdge> borders; ///< Of islands, and of the map.
+    std::vector<SheetEdge> edges;   ///< Edges between two triangles, uv.
+    std::vector<SheetEdge> borders; ///< Borders of the islands and of the whole map, uv.
 };
 
 Sheet sheetOf(const sim::HeadMesh& mesh)

@@ -7,7 +7,7 @@ namespace hairpaint::model {
 
 WornBody wornBody(const Worn& worn, PosedMesh mesh)
 {
-    constexpr double kLeastRoughness = 0.3; // Of what has all the sheen that there is.
+    constexpr double kLeastRoughness = 0.3; // The roughness at a sheen of 1.
     return {.name = QStringLiteral("Worn %1 %2").arg(QLatin1StringView(wornSpec(worn.kind).id)).arg(worn.id),
             .mesh = std::move(mesh),
             .colour = worn.colour,

@@ -30,15 +30,15 @@ public:
     ~ArchiveReader();
 
     [[nodiscard]] bool contains(const QString& name) const { return m_entries.contains(name); }
-    [[nodiscard]] QStringList names() const; ///< In the order in which they lie.
+    [[nodiscard]] QStringList names() const; ///< Names of all entries, in the archive's order.
     enum class Check
     {
         Checksum,
-        ByCaller ///< Who compares it, on whatever thread, and refuses with brokenEntry().
+        ByCaller ///< read() skips the checksum; the caller compares it, on any thread, and refuses with brokenEntry().
     };
     /// Refuses an entry that is missing, larger than `mostBytes`, or does not match its checksum.
     [[nodiscard]] Checked<QByteArray> read(const QString& name, qint64 mostBytes, Check check = Check::Checksum) const;
-    /// Of an entry that there is.
+    /// The CRC-32 that the archive gives for an entry; the entry must exist.
     [[nodiscard]] quint32 checksum(const QString& name) const { return m_entries.at(name).crc; }
 
 private:
@@ -54,7 +54,7 @@ private:
     Checked<void> readDirectory();
 
     std::unique_ptr<Handle> m_handle;
-    std::map<QString, ListedEntry> m_entries; ///< A QHash ends the program where memory runs out.
+    std::map<QString, ListedEntry> m_entries; ///< No QHash, which ends the program where memory runs out.
 };
 
 [[nodiscard]] tl::unexpected<Clause> brokenEntry(const QString& name);

@@ -18,12 +18,13 @@ namespace hairpaint::model {
 namespace {
 
 constexpr int kCombedSize = 512;
-constexpr int kBleed = 4;           ///< Texels past the islands' borders.
-constexpr float kFlattest = 0.976F; ///< Of long hair: it rose 22 cm in a metre.
-constexpr float kStiffM = 0.03F;    ///< Hair shorter than this stood on its own;
-constexpr float kLimpM = 0.14F;     ///< longer than this lay.
-constexpr float kSideways = 4.0F;   ///< At full parting, on top and at the forehead, against 1 for down.
-constexpr float kBackward = 3.6F;   ///< At full sweep.
+constexpr int kBleed = 4;           ///< Texels that are filled past the islands' borders.
+constexpr float kFlattest = 0.976F; ///< Greatest flatness, that of long hair: it rose 22 cm in a metre.
+constexpr float kStiffM = 0.03F;    ///< Hair shorter than this stood upright.
+constexpr float kLimpM = 0.14F;     ///< Hair longer than this lay as flat as it could.
+/// Weight of sideways against 1 for down, at full parting, on top and at the forehead.
+constexpr float kSideways = 4.0F;
+constexpr float kBackward = 3.6F; ///< Weight of backward against 1 for down, at full sweep.
 
 struct CombedTexel
 {
@@ -37,7 +38,7 @@ std::size_t combedIndex(int x, int y)
     return static_cast<std::size_t>(y) * kCombedSize + static_cast<std::size_t>(x);
 }
 
-/// Of every texel; those off the skin get a neighbour's. Empty where stopped.
+/// The skin at every texel; texels off the skin get a neighbour's. Empty where `goesOn` stops it.
 std::vector<CombedTexel> texelsOf(const sim::Skin& skin, const std::function<bool()>& goesOn)
 {
     constexpr int kRowsAtOnce = 32;

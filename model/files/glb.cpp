@@ -33,7 +33,7 @@ void mendNormals(std::vector<glm::vec3>& normals)
     }
 }
 
-/// Of a mesh of one primitive of triangles; none where it is no such.
+/// The primitive of a mesh that has just one, of triangles; none for other meshes.
 std::optional<QJsonObject> primitiveOf(const QJsonObject& mesh)
 {
     const QJsonArray primitives = mesh.value(QLatin1String("primitives")).toArray();

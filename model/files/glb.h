@@ -15,17 +15,18 @@
 namespace hairpaint::model {
 
 [[nodiscard]] Checked<sim::HeadMesh> meshFromGlb(const QByteArray& glb);
-/// Of a mesh that was read; without joints where it has no skin.
+/// The skeleton and weights of the first mesh; empty where that mesh has no skin.
 [[nodiscard]] Checked<HeadSkeleton> skeletonFromGlb(const QByteArray& glb);
-/// Its meshes after the first, in the source's space, and what the first shows.
+/// The meshes after the first, in the source's space, and the texture of the first.
 struct GlbParts
 {
     std::vector<HeadPart> parts;
-    std::vector<std::vector<BoneWeights>> weights; ///< By part; none where it has none.
+    /// By part: the weights of its vertices; empty where the part has none.
+    std::vector<std::vector<BoneWeights>> weights;
     std::shared_ptr<const sim::MeshTexture> texture;
 };
 [[nodiscard]] Checked<GlbParts> partsFromGlb(const QByteArray& glb);
-/// How its first mesh's layouts lie side by side; one tile where it tells nothing of that, or nothing that can be.
+/// The tiles of the first mesh's layout; one tile where the file names none or names invalid ones.
 [[nodiscard]] UvTiles tilesFromGlb(const QByteArray& glb);
 
 } // namespace hairpaint::model

@@ -217,7 +217,7 @@ QByteArray pngOfTexture(const sim::MeshTexture& texture)
     QByteArray png;
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);
-    constexpr int kQuick = 80; // Of a quality: how little it is packed.
+    constexpr int kQuick = 80; // Qt's quality of a PNG: the higher, the less and the quicker it is packed.
     (isOpaque ? image.convertToFormat(QImage::Format_RGB888) : image).save(&buffer, "PNG", kQuick);
     return png;
 }

@@ -61,7 +61,7 @@ std::vector<float> builtInDisplacements(const QString& resource)
     return metres;
 }
 
-/// Of the finer mesh's vertices, in front of which those of the coarser one stand; none where there is no such file.
+/// The marks of the finer mesh's vertices, which begin with those of the coarser one; none where there is no such file.
 std::vector<sim::SkinMarks> builtInMarks(const QString& resource)
 {
     if (!QFile::exists(resource))
@@ -225,7 +225,7 @@ double scalpFractionOf(const Head& head)
         if (row.regions.scalpDistance(known.nearest(warp(centre)).positionHd) > 0.0F)
             scalpM2 += areaM2;
     }
-    constexpr double kLeast = 0.01; // Of a head whose scalp is not found nothing is known.
+    constexpr double kLeast = 0.01; // Below this fraction the scalp counts as not found.
     return scalpM2 > kLeast * allM2 ? scalpM2 / allM2 : 1.0;
 }
 

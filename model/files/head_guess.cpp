@@ -88,7 +88,7 @@ bool turnToFront(RiggedMesh& source, UpAxis upAxis, const glm::ivec3& facing)
         return false;
     const glm::mat3 now(face, up, glm::cross(face, up));
     const glm::mat3 then(front, up, glm::cross(front, up));
-    const glm::mat3 turn = then * glm::transpose(now); // Of zeros and ones: exact.
+    const glm::mat3 turn = then * glm::transpose(now); // All entries are 0, 1 or -1, so the rotation is exact.
     for (glm::vec3& position : source.positionsHd)
         position = turn * position;
     for (glm::vec3& normal : source.normalsHd)

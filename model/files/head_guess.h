@@ -27,7 +27,7 @@ struct HeadChoice
     /// Where the face looks, an axis of the file's space.
     std::optional<glm::ivec3> facing{};
     std::vector<QString> comingIn{}; ///< Names of parts or of their materials; all where there are none.
-    std::vector<QString> growing{};  ///< Likewise, of those that hair grows on; the likely ones where there are none.
+    std::vector<QString> growing{};  ///< Names of the parts that hair grows on; where empty, the likely ones.
     bool ownLayout = false;          ///< Instead of the file's, one is made in which no two points share a texel.
 };
 /// `guess` but for what the user says.

@@ -23,7 +23,7 @@ namespace hairpaint::model {
 struct ImageLayer
 {
     sim::TiledRaster raster;
-    QSize imageSize; ///< Of the file, in pixels.
+    QSize imageSize; ///< Size of the image as it was read, px.
 };
 
 /// An image of any format that the helper program reads, for a map: colours as sRGB, all others as they are stored.

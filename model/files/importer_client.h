@@ -18,15 +18,15 @@ struct ForeignImage
 {
     int width = 0, height = 0, channels = 0;
     std::vector<std::uint16_t> pixels;
-    bool areColours = false; ///< sRGB; else numbers, which are kept as they are.
+    bool areColours = false; ///< Whether the pixels are colours in sRGB; else they are numbers, kept as they are.
 };
 
 /// What holds the helper while it decodes foreign files.
 struct HelperSandbox
 {
-    int landlockVersion = 0; ///< 0: which files it opens is not confined.
+    int landlockVersion = 0; ///< Version of Landlock in use; 0: the files that it may open are not restricted.
     bool filtersCalls = false;
-    int mostMegabytes = 0; ///< Of memory; 0: without a bound of its own.
+    int mostMegabytes = 0; ///< Limit on the helper's memory, MB; 0: it has none of its own.
 };
 
 /// Runs the helper program beside this one (or `HAIRPAINT_IMPORT`, for tests). Each call waits at most `timeoutMs`,
@@ -43,15 +43,15 @@ public:
     /// 16 s, or `HAIRPAINT_IMPORT_MS`, for tests.
     [[nodiscard]] static int usualTimeoutMs();
 
-    /// Its numbers as they are.
+    /// Reads an image's numbers as they are stored.
     [[nodiscard]] Result<ForeignImage> readImage(const QString& path, const Progress& progress = {});
-    /// As sRGB, whatever light (EXR, HDR) or profile the file has them in.
+    /// Reads an image's colours as sRGB, whatever light (EXR, HDR) or profile the file has them in.
     [[nodiscard]] Result<ForeignImage> readColours(const QString& path, const Progress& progress = {});
     /// PNG, TIFF, EXR, ... by the file's ending; 8 or 16 bits a channel. Colours become linear light in EXR.
     [[nodiscard]] Result<void> writeImage(const ForeignImage& image, const QString& path, int bits = 16,
                                           const Progress& progress = {});
     [[nodiscard]] Result<RiggedMesh> readMesh(const QString& path, const Progress& progress = {});
-    /// As the helper finds it on this machine, tried there; none where it gives no answer.
+    /// The sandbox as the helper sets it up on this machine; none where the helper gives no answer.
     [[nodiscard]] std::optional<HelperSandbox> sandbox();
 
 private:

@@ -65,7 +65,7 @@ std::optional<NamedMap> mapNamedBy(const QString& path, std::span<const HairGrou
             if (at < 0 || !standsAt(words, at, known.words))
                 continue;
             NamedMap named{.group = {}, .kind = known.kind};
-            qsizetype most = 0; // Of words that tell the group.
+            qsizetype most = 0; // The number of words of the longest group name found.
             for (std::size_t i = 0; i < groups.size(); ++i)
                 for (const QString& name : {groups[i].name, shownName(groups[i].name)}) {
                     const QStringList of = wordsOf(name);

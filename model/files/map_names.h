@@ -13,7 +13,8 @@ namespace hairpaint::model {
 
 struct NamedMap
 {
-    std::optional<std::size_t> group; ///< Of those given, where the name begins with one's; else none is told.
+    /// Index into `groups` of the group whose name the file's name begins with; none without such.
+    std::optional<std::size_t> group;
     MapKind kind = MapKind::Density;
 };
 

@@ -59,12 +59,13 @@ struct InCell
 };
 InCell inCell(int at, int side, int across, int cellSide)
 {
-    const auto halves = (2 * std::int64_t{at} + 1) * across; // Of a 2 * side-th of a cell.
+    // The texel's middle, in units of 1 / (2 * side) of a cell.
+    const auto halves = (2 * std::int64_t{at} + 1) * across;
     const std::int64_t whole = 2 * std::int64_t{side};
     return {.cell = static_cast<int>(halves / whole), .texel = static_cast<int>(halves % whole * cellSide / whole)};
 }
 
-/// By cell; null where none was read.
+/// The rasters of all cells as one; `cells` is null where none was read, and unpainted there.
 sim::TiledRaster joined(const std::vector<const sim::TiledRaster*>& cells, const UvTiles& tiles, const MapSpec& spec,
                         int side)
 {

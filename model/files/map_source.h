@@ -12,16 +12,17 @@ namespace hairpaint::model {
 struct MapSource
 {
     std::vector<ForeignImage> images; ///< At least one.
-    std::vector<std::size_t> cells;   ///< By image, of `tiles`; none: there is one image, of all of the map.
+    /// By image: index of its cell in `tiles`; empty: the one image covers the whole map.
+    std::vector<std::size_t> cells;
     UvTiles tiles;
-    std::vector<int> leftOut; ///< Tiles that there are files of, and the head has not.
+    std::vector<int> leftOut; ///< Numbers of tiles that have files, but are none of the head's.
 };
 
 /// `path`: an image as imageForMap() reads it, or a pattern of tile_names.h. Errors: a sentence that names the file;
 /// where no file is of a tile of the head's, or tiles can't be told apart by their numbers, too.
 [[nodiscard]] Result<MapSource> mapSourceFrom(ImporterClient& client, const QString& path, const MapSpec& spec,
                                               const UvTiles& tiles, const Progress& progress = {});
-/// What its images tell together.
+/// What the images tell together.
 [[nodiscard]] ImageReading readingOf(const MapSource& source, const MapSpec& spec);
 /// As layerFromImage(); tiles at their cells, each texel that of its own point, and nothing where no tile was read.
 /// `imageSize`: what `size` would be so that nothing is resampled.

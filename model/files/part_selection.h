@@ -20,7 +20,7 @@ struct ChosenHead
     RiggedMesh mesh;     ///< As arranged() has it.
     QStringList remarks; ///< Sentences without a full stop: parts without uvs, layouts side by side, shared texels.
 };
-/// Of a mesh whose parts were chosen. Fails where there is nothing to paint on.
+/// The head made of the parts that were chosen. Fails where there is nothing to paint on.
 [[nodiscard]] Checked<ChosenHead> headOfParts(const RiggedMesh& source, bool ownLayout);
 
 } // namespace hairpaint::model

@@ -14,9 +14,10 @@ namespace {
 
 constexpr std::size_t kBytesAPixel = 8;
 constexpr std::size_t kEndOfBlock = 256;
-constexpr std::size_t kFourAgain = 258;    ///< Repeats 4 bytes.
+constexpr std::size_t kFourAgain = 258;    ///< Symbol that repeats 4 bytes.
 constexpr std::uint32_t kLongestCode = 15; ///< Bits.
-constexpr std::uint32_t kDistanceCode = 1; ///< Of 0 and 1, each of one bit: from 2 bytes before.
+/// The second of two distance codes of one bit, 0 and 1: copies from 2 bytes before.
+constexpr std::uint32_t kDistanceCode = 1;
 constexpr std::uint32_t kCodeLengthCodes = 19;
 constexpr std::size_t kHeaderBits = 3 + 5 + 5 + 4 + 3 * kCodeLengthCodes;
 

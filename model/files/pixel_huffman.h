@@ -17,9 +17,9 @@ public:
     /// Rows as PNG has them: 8 bytes a pixel. They must outlive this.
     explicit PixelHuffman(std::vector<std::span<const std::uint8_t>> rows);
 
-    /// Of what `pack` appends, without packing.
+    /// The number of bytes that pack() would append.
     [[nodiscard]] std::size_t packedBytes() const;
-    /// A block that isn't the last one, and the empty stored block that ends it on a whole byte.
+    /// Appends a block that isn't the last one, and the empty stored block that ends it on a whole byte.
     void pack(QByteArray& target) const;
 
 private:
@@ -27,7 +27,7 @@ private:
 
     struct Code
     {
-        std::uint32_t bits = 0; ///< The first one lowest.
+        std::uint32_t bits = 0; ///< The code's bits, the first one lowest.
         std::uint32_t length = 0;
     };
     void giveCodes();

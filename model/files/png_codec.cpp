@@ -22,7 +22,7 @@ constexpr int kTile = sim::TiledRaster::kTileSize;
 constexpr int kRgb = 2; // PNG's numbers of colour types
 constexpr int kRgba = 6;
 constexpr std::size_t kPixelBytes = 8;
-constexpr std::uint16_t kVectorBlue = 32768; ///< Of layers of vectors, which have two values.
+constexpr std::uint16_t kVectorBlue = 32768; ///< Blue of layers of vectors, whose two values are in red and green.
 
 tl::unexpected<Clause> brokenImage()
 {

@@ -43,7 +43,7 @@ struct DecodedLayer
 struct SalvagedLayer
 {
     sim::TiledRaster raster;
-    int rows = 0; ///< That could be read, 0..size.
+    int rows = 0; ///< Number of rows that could be read, 0..size.
 };
 [[nodiscard]] SalvagedLayer salvageLayer(const QByteArray& png, const MapSpec& spec, int size);
 

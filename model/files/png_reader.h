@@ -24,7 +24,7 @@ struct PngParts
     int depth = 0;      ///< Bits a channel.
     int colourType = 0; ///< 2 RGB, 6 RGBA, ...
     bool interlaced = false;
-    /// Of the bytes given, the chunks from the first IDAT to the last; theirs together are one zlib stream.
+    /// The chunks from the first IDAT to the last; the contents of the IDAT chunks together are one zlib stream.
     QByteArrayView pixelChunks;
     bool onlyPixelsAndDpi = true; ///< No chunk was left out but pHYs, which says the resolution.
     std::uint32_t checksum = 0;   ///< CRC-32 of all bytes.

@@ -33,7 +33,7 @@ struct PngBand
     QByteArray packed;
     std::uint32_t packedChecksum = 0; ///< CRC-32 of `packed`.
     std::uint32_t checksum = 0;       ///< Adler-32 of the rows with the numbers of their filters.
-    std::size_t plainBytes = 0;       ///< Of these.
+    std::size_t plainBytes = 0;       ///< Size of those rows, filter numbers included.
 };
 [[nodiscard]] PngBand packBand(const PngRowBuffer& rows);
 
@@ -42,7 +42,8 @@ struct PngFile
 {
     QByteArray bytes;
     std::uint32_t checksum = 0; ///< CRC-32 of all bytes.
-    /// Its bands without what they hold, and where that lies in `bytes`; none where the file was only read.
+    /// The file's bands, with `packed` left out: it lies in `bytes` at `at`, `count` bytes. Empty where the file was
+    /// read.
     struct StoredBand
     {
         PngBand band;

@@ -22,7 +22,7 @@ struct PresetEntry
     QImage picture;
 };
 
-/// Of one file.
+/// The entry of one file.
 [[nodiscard]] Result<PresetEntry> presetEntry(const QString& path);
 
 /// Paths of the built-in styles (":/presets"), in the order of the lines of its order.txt, one base name each.

@@ -18,14 +18,14 @@ struct HeadReference
     bool builtIn = true;
     float unitScale = 1.0F;
     UpAxis upAxis = UpAxis::Y;
-    std::optional<sim::HeadLandmarks> landmarks = {}; ///< Of an imported head.
+    std::optional<sim::HeadLandmarks> landmarks = {}; ///< Landmarks of an imported head; none for a built-in one.
 };
 
 struct ProjectManifest
 {
     Project project; ///< Without a head; layers without texels (see groupsFromJson), ids of all set.
     HeadReference head;
-    /// Of each group of a file of version 1 that has no direction map; empty for later versions.
+    /// By group, in files of version 1: the combing of a group that has no direction map. Empty for later versions.
     std::vector<std::optional<FormerCombing>> formerCombing = {};
 };
 
@@ -35,7 +35,7 @@ struct PresetManifest
     HeadReference head;
 };
 
-/// The first one that says all of it.
+/// The oldest format version that can hold all of the project.
 [[nodiscard]] int formatVersionOf(const Project& project);
 [[nodiscard]] Checked<QByteArray> projectToJson(const Project& project);
 [[nodiscard]] Checked<ProjectManifest> projectFromJson(const QByteArray& json);

@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::array<char, 8> kMagic = {'H', 'P', 'W', 'I', 'R', 'E', '0', '1'};
 static_assert(std::endian::native == std::endian::little, "arrays are copied as they lie in memory");
-/// Of a joint's, without its name.
+/// Bytes of a joint without its name.
 constexpr std::uint64_t kJointBytes = 36;
-/// Of a part's, without its names.
+/// Bytes of a part without its names.
 constexpr std::uint64_t kPartBytes = 52;
 static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::vec2) == 8 && sizeof(glm::uvec3) == 12);
 
@@ -211,7 +211,7 @@ bool readPart(Reader& reader, model::MeshPart& part)
     return hasLayout <= 1 && doubleSided <= 1 && alpha <= static_cast<std::uint32_t>(model::PartAlpha::Blend);
 }
 
-/// Of a mesh whose vertices and triangles were read.
+/// Reads the parts and textures of a mesh whose vertices and triangles were read; false where they break a rule.
 bool readParts(Reader& reader, model::RiggedMesh& mesh)
 {
     std::uint32_t parts = 0;

@@ -24,8 +24,8 @@ enum class Kind : std::uint32_t
     ReadMesh = 2,
     EncodeImage = 3,
     TellSandbox = 4,
-    ReadColours = 20,   ///< As ReadImage, in sRGB;
-    EncodeColours = 21, ///< as EncodeImage, of sRGB.
+    ReadColours = 20,   ///< As ReadImage, in sRGB.
+    EncodeColours = 21, ///< As EncodeImage, of sRGB.
     Image = 101,
     Mesh = 102,
     Encoded = 103,
@@ -49,15 +49,15 @@ enum class Reason : std::uint32_t
     UnknownExtension = 12,     ///< An extension that the model can't be read without is not known;
     UndecodedCompression = 13, ///< or the compression that it names can't be decoded.
     Malformed = 14,            ///< It breaks its format's rules, and how is told in English.
-    LayersOnly = 30            ///< Without the picture that its layers make.
+    LayersOnly = 30            ///< The file has layers, but not the picture that they make together.
 };
 
 /// Why there is no other answer.
 struct Refusal
 {
     Reason reason;
-    /// UTF-8: that file, without folders, that extension, that compression, or how the rules are broken, as part of a
-    /// sentence; empty for all other reasons.
+    /// UTF-8, as part of a sentence: the file that `reason` is about (without folders), the extension, the compression,
+    /// or how the rules are broken; empty for all other reasons.
     std::string detail;
     Refusal(Reason why, std::string told = {}) : reason(why), detail(std::move(told)) {}
     friend bool operator==(const Refusal&, const Refusal&) = default;
@@ -83,9 +83,9 @@ struct Image
 /// What holds the helper while it decodes.
 struct Sandbox
 {
-    std::uint32_t landlockVersion = 0; ///< 0: files are not confined.
+    std::uint32_t landlockVersion = 0; ///< Version of Landlock in use; 0: files are not restricted.
     std::uint32_t filtersCalls = 0;    ///< 0 or 1.
-    std::uint32_t mostMegabytes = 0;   ///< Of memory; 0: no bound of its own.
+    std::uint32_t mostMegabytes = 0;   ///< Limit on memory, MB; 0: it has none of its own.
     friend bool operator==(const Sandbox&, const Sandbox&) = default;
 };
 

@@ -60,7 +60,7 @@ void visitMake(FieldWriter& fields, Worn& worn)
     fields.text(kMakeKey, QString::fromLatin1(wornSpec(worn.kind).makes[worn.make].id));
 }
 
-/// Of a kind that is made of one thing or another, and of ties.
+/// Reads or writes what a thing is made of, where its kind has a choice, and the values of ties.
 template<typename Fields>
 void visitMaking(Fields& fields, Worn& worn)
 {

@@ -46,34 +46,37 @@ struct ExportFormat
     FormatSpace space;
     Result<void> (*write)(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                           const Progress& progress);
-    /// Of several with one ending: the option of the command line that asks for this one. Where it is the only one the
-    /// option may be given too.
+    /// Option of the command line that chooses this format among those with the same ending. It may also be given where
+    /// no other format has the ending.
     const char* flag = "";
-    const char* flagHelp = "";  ///< To be translated in context "CommandLine"; of the first with that flag.
-    ExportOptions options = {}; ///< What can be chosen, in this order.
-    ExportOptions unasked = {}; ///< What the command line takes besides; the window leaves the defaults.
-    ExportOptions implied = {}; ///< Switches that are on, whatever is wanted.
-    bool hasFilms = true;       ///< Can show a frame of hair in motion.
-    bool hasCards = false;      ///< Made by ExportRequest::cards; they can be looked at before.
-    bool isAvatar = false;      ///< They come with ExportRequest::avatar.
+    /// Help of `flag`, to be translated in context "CommandLine"; set in the first row with that flag.
+    const char* flagHelp = "";
+    ExportOptions options = {}; ///< Options that the window and the command line offer, in this order.
+    ExportOptions unasked = {}; ///< Further options of the command line; the window leaves their defaults.
+    ExportOptions implied = {}; ///< Switches that are always on.
+    bool hasFilms = true;       ///< Whether a frame of hair in motion can be exported.
+    bool hasCards = false;      ///< Whether it has hair cards, made by ExportRequest::cards, which can be previewed.
+    bool isAvatar = false;      ///< Whether it needs ExportRequest::avatar.
     [[nodiscard]] QString titleText() const;
     [[nodiscard]] QString useText() const;
     [[nodiscard]] ExportSettings settingsFor(const ExportTarget& target) const;
-    /// Whether the option changes what is written, or says what it is anyway.
+    /// Whether the format accepts the option: it changes what is written, or the format implies it.
     [[nodiscard]] bool takes(const ExportOption& option) const;
-    /// The wishes as this format can have them: at its default what it does not take, on what it implies.
+    /// The request as this format can meet it: options that it does not take are at their defaults, implied ones are
+    /// on.
     [[nodiscard]] ExportRequest requestFor(const ExportRequest& wanted) const;
 };
 
 [[nodiscard]] std::span<const ExportFormat> exportFormats();
-/// By the name's ending; null where it is none of theirs. Of those with that ending `preferred`, else the first.
+/// The format for the ending of a file's name; null where none has it. Where several do, `preferred` if it is one of
+/// them, else the first.
 [[nodiscard]] const ExportFormat* findExportFormat(const QString& path, const ExportFormat* preferred = nullptr);
 /// All endings, without dots, each once.
 [[nodiscard]] QStringList exportSuffixes();
-/// The one with cards alone.
+/// The format that holds cards alone.
 [[nodiscard]] const ExportFormat& cardFormat();
 
-/// Those of all formats, each once, in their order.
+/// The options of all formats, each once, in their order.
 [[nodiscard]] const std::vector<const ExportOption*>& exportOptionRows();
 
 } // namespace hairpaint::model

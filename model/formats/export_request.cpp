@@ -11,7 +11,7 @@ namespace hairpaint::model {
 
 namespace {
 
-/// Of all work, finding the curves.
+/// Fraction of all work that is done once the curves are found.
 constexpr double kMeasured = 0.2;
 
 } // namespace

@@ -24,17 +24,18 @@ struct ExportRequest
     const ExportTarget* target = nullptr;
     CurveOptions curves{};
     CardSettings cards{};
-    QString author{};                                      ///< Of avatars; empty is "Unknown".
-    std::vector<HeadPart> parts{};                         ///< Of the head's character, Hd;
-    std::shared_ptr<const sim::MeshTexture> headTexture{}; ///< and what its file shows on the skin.
-    std::vector<Worn> worn{};                              ///< See ExportSettings.
-    QRgb skinColour = 0xFF808080;                          ///< Likewise.
-    std::shared_ptr<const Avatar> avatar{};                ///< There where the format is one of avatars.
+    QString author{};              ///< Author of an exported avatar; empty is "Unknown".
+    std::vector<HeadPart> parts{}; ///< Parts of the head's character, Hd.
+    /// The texture on the head's skin; null where its file has none.
+    std::shared_ptr<const sim::MeshTexture> headTexture{};
+    std::vector<Worn> worn{};               ///< See ExportSettings.
+    QRgb skinColour = 0xFF808080;           ///< Colour of the skin of an exported head.
+    std::shared_ptr<const Avatar> avatar{}; ///< Null for formats other than avatars.
 };
 
-/// Adds what the project gives: what is worn, colour of the skin, and the avatar where the format is one of avatars. It
-/// is named as the project's file is, and as `path`, the file that would be written, where the project was never saved
-/// and `projectPath` is empty. Fails where the head has no such skeleton.
+/// Adds what the project gives: worn things, the head's parts, texture and skin colour, and for formats of avatars the
+/// avatar. It has the name of the project's file, and of `path`, the file to be written, where the project was never
+/// saved and `projectPath` is empty. Fails where the head's skeleton has no avatar's bones.
 [[nodiscard]] Result<void> addProject(ExportRequest& request, const Project& project, const QString& projectPath,
                                       const QString& path);
 

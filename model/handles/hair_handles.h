@@ -16,14 +16,14 @@ namespace hairpaint::model {
 
 enum class HandleKind : std::uint8_t
 {
-    Length, ///< Of all hair: a factor.
+    Length, ///< Length of all hair: a factor.
     Fringe, ///< Length of the hair over the forehead: a factor.
     Fade,   ///< How much higher the clipped hair at the sides and the back ends, m.
     Part    ///< Where hair is parted: a PartSide.
 };
 inline constexpr std::size_t kHandleCount = 4;
 
-/// Of the head's own left and right.
+/// Where hair is parted. Left and right are the head's own.
 enum class PartSide : std::uint8_t
 {
     AsCombed,
@@ -37,8 +37,8 @@ struct HandleSpec
 {
     HandleKind kind;
     const char* title;                       ///< To be translated in context "HairHandles", as are the next two.
-    const char* hint;                        ///< What it does.
-    const char* step;                        ///< What undo says; %1 is the group's name.
+    const char* hint;                        ///< What the handle does.
+    const char* step;                        ///< Text of the undo step; %1 is the group's name.
     double least, greatest, usual;           ///< At `usual` the hair is as it was.
     [[nodiscard]] QString titleText() const; ///< Translated.
     [[nodiscard]] QString hintText() const;
@@ -55,7 +55,7 @@ struct HandleValues
     friend bool operator==(const HandleValues&, const HandleValues&) = default;
 };
 
-/// What handles change of a group. All else of it may be changed meanwhile.
+/// What handles change of a group. Edits to the rest of the group are kept.
 struct HandledHair
 {
     float greatestLengthM = 0.0F;
@@ -68,20 +68,21 @@ struct HandledHair
     friend bool operator==(const HandledHair&, const HandledHair&) = default;
 };
 
-/// The handles of one group as it is, the base, on one head. Which it has is told from its hair, so that every style
-/// has some, a user's own and one on a foreign head too: fade where sides and back are clipped, fringe and part where
-/// hair at the forehead and on top is loose. Fringe, fade and part need a head whose landmarks are known. What is made
+/// The handles of one group, the base, on one head. The group's hair decides which handles it has, so that every style
+/// has some, also a user's own and on a foreign head: a fade where sides and back are clipped, fringe and part where
+/// hair at the forehead and on top is loose. Fringe, fade and part need a head whose landmarks are known. The result
 /// depends on base and values alone. GUI thread.
 class HairHandles
 {
 public:
-    /// `density`, `direction`: of the group, resolved.
+    /// `density`, `direction`: the group's resolved maps.
     HairHandles(const HairGroup& base, std::shared_ptr<const Head> head, sim::MapRaster density,
                 sim::MapRaster direction);
     ~HairHandles();
 
     [[nodiscard]] bool has(HandleKind kind) const { return m_has[static_cast<std::size_t>(kind)]; }
-    [[nodiscard]] HandledHair at(const HandleValues& values); ///< Values beyond a handle's range are its ends.
+    /// The base with these values; values beyond a handle's range are clamped.
+    [[nodiscard]] HandledHair at(const HandleValues& values);
 
 private:
     void look();
@@ -95,7 +96,8 @@ private:
     std::unique_ptr<SkinFrames> m_frames;
     std::optional<HandleRegions> m_regions;
     std::optional<FadeColumns> m_columns;
-    std::array<std::optional<SharedStack>, 4> m_parted; ///< By PartSide, once it was asked for.
+    /// By PartSide: the parted direction map; none until it is asked for.
+    std::array<std::optional<SharedStack>, 4> m_parted;
 };
 
 } // namespace hairpaint::model

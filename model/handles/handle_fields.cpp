@@ -18,7 +18,8 @@ namespace {
 
 using sim::HeadLandmark;
 
-constexpr float kEarSpanM = 0.1484F; ///< Of bust-1, on which the distances below were measured.
+/// Distance between the ears of bust-1, on which the distances below were measured.
+constexpr float kEarSpanM = 0.1484F;
 constexpr int kTileSide = sim::TiledRaster::kTileSize;
 constexpr int kColumns = 73; ///< Angles of 0 .. 180 degrees; both sides count as one.
 constexpr float kRowStepM = 0.0025F;

@@ -19,9 +19,9 @@ public:
     [[nodiscard]] float fringe(glm::vec3 rootHd) const;
     /// 0..1: how much a root's height counts in a fade: 1 at the sides and the back, 0 at the forehead and on top.
     [[nodiscard]] float faded(glm::vec3 rootHd) const;
-    /// Around the head: 0 in front, pi / 2 at its left, to pi.
+    /// The angle of a root around the head's axis: 0 in front, pi / 2 at either side, pi at the back.
     [[nodiscard]] float angle(glm::vec3 rootHd) const;
-    /// From the axis around which angles are measured, outward.
+    /// A ray outward from the axis around which angles are measured.
     [[nodiscard]] sim::RayHd rayAt(float angle, float heightM) const;
     /// Points of the skin over which a parting goes, from the face back; `side`: -1 at the head's right .. 1 at its
     /// left.
@@ -36,22 +36,22 @@ public:
 private:
     sim::HeadLandmarks m_landmarks;
     float m_scale;
-    glm::vec3 m_axisHd; ///< On the height of the ears.
+    glm::vec3 m_axisHd; ///< A point of the axis around which angles are measured, at the height of the ears.
 };
 
 /// The lengths of hair around the head, by angle and height. Immutable.
 class FadeColumns
 {
 public:
-    /// `length`: of the length map, one channel.
+    /// `length`: the resolved length map, one channel.
     FadeColumns(const sim::Skin& skin, const HandleRegions& regions, const sim::TiledRaster& length);
-    /// 0..1 of the map's range.
+    /// The length at that angle and height, 0..1 of the map's range.
     [[nodiscard]] float at(float angle, float heightM) const;
 
 private:
     float m_lowestM, m_stepM;
     int m_rows;
-    std::vector<float> m_values; ///< [kColumns][rows], from the lowest.
+    std::vector<float> m_values; ///< [kColumns][rows], each column from its lowest row; 0..1 of the map's range.
 };
 
 /// By what factor hair is longer, at samples of the layout.
@@ -81,7 +81,8 @@ private:
     {
         return static_cast<std::size_t>(y) * SkinFrames::kSize + static_cast<std::size_t>(x);
     }
-    [[nodiscard]] float texelFactor(int x, int y, int size) const; ///< Of a map of that size.
+    /// The factor at texel (x, y) of a map with `size` texels a side.
+    [[nodiscard]] float texelFactor(int x, int y, int size) const;
 
     std::vector<float> m_factors;
 };

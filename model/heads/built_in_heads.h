@@ -13,7 +13,7 @@
 
 namespace hairpaint::heads {
 
-/// Whose mesh and skin model/files/head_file.h reads.
+/// One built-in head; model/files/head_file.h reads its mesh and skin.
 struct HeadRow
 {
     std::string_view name;  ///< In project files; a row is frozen once a file may name it.
@@ -23,7 +23,7 @@ struct HeadRow
     /// Cranium, face, jaw, neck, shoulders, chest: their union lies within about 2 mm of the scalp. Printed by
     /// hairpaint_bust_generator --colliders; many overlap, only their union counts.
     std::span<const sim::Ellipsoid> colliders;
-    double scalpFraction = 1.0; ///< Of the skin's area, 0..1.
+    double scalpFraction = 1.0; ///< Fraction of the skin's area that the scalp covers, 0..1.
 };
 
 /// The default first.

@@ -14,7 +14,7 @@
 
 namespace hairpaint::model {
 
-/// What moves a vertex: joints of one skin by their indices. Weights sum to 1; joint 0 stands where there is no more.
+/// The joints that move a vertex, by index, with weights that sum to 1. Unused entries have joint 0 and weight 0.
 struct BoneWeights
 {
     std::array<std::uint16_t, 4> joints{};
@@ -23,13 +23,13 @@ struct BoneWeights
 };
 static_assert(sizeof(BoneWeights) == 24);
 
-/// At rest, where the mesh is as it was bound. Without scale: what a joint moves is the same under any.
+/// A joint at rest, in the pose in which the mesh was bound. Joints have no scale: it does not change what they move.
 struct HeadJoint
 {
     std::string name;               ///< UTF-8, see isJointName.
     int parent = -1;                ///< An earlier joint; none for the first alone.
     glm::vec3 translation{0.0F};    ///< From the parent's origin, in its frame.
-    glm::quat rotation{1, 0, 0, 0}; ///< Of unit length, likewise.
+    glm::quat rotation{1, 0, 0, 0}; ///< From the joint's frame to the parent's; of unit length.
     friend bool operator==(const HeadJoint&, const HeadJoint&) = default;
 };
 
@@ -51,19 +51,19 @@ struct JointPose
     glm::quat rotation{1, 0, 0, 0};
 };
 
-/// At most so long, valid UTF-8, no control characters.
+/// Whether `name` has at most HeadSkeleton::kLongestName bytes, is valid UTF-8 and has no control characters.
 [[nodiscard]] bool isJointName(std::string_view name);
-/// As many bytes of a foreign name as may stay; what may not is replaced.
+/// A foreign name cut to the allowed length, with what isJointName() forbids replaced.
 [[nodiscard]] std::string jointNameOf(std::string_view foreign);
 
-/// No joints and no weights, or what the comments above promise, for a mesh of so many vertices.
+/// Whether the skeleton is empty, or keeps the limits above for a mesh with so many vertices.
 [[nodiscard]] bool withinLimits(const HeadSkeleton& skeleton, std::size_t vertices);
 
-/// By joint.
+/// The pose of each joint, by its index.
 [[nodiscard]] std::vector<JointPose> posesOf(const HeadSkeleton& skeleton);
-/// The joints' own translation and rotation, so that they come to stand there.
+/// Sets the joints' translations and rotations so that posesOf() gives `poses`.
 void setPoses(HeadSkeleton& skeleton, const std::vector<JointPose>& poses);
-/// From the frame that the joint stands in to the joint's own.
+/// The matrix from the space that `pose` is given in to the joint's own frame.
 [[nodiscard]] glm::mat4 inverseBind(const JointPose& pose);
 
 } // namespace hairpaint::model

@@ -18,7 +18,7 @@ namespace {
 constexpr auto kRightFromLeft =
     static_cast<std::size_t>(HumanBone::RightEye) - static_cast<std::size_t>(HumanBone::LeftEye);
 
-/// Of the middle and the left.
+/// The bones of the middle and of the left side, in the order of HumanBone; those of the right follow from the left.
 constexpr std::array<HumanBoneSpec, static_cast<std::size_t>(HumanBone::RightEye)> makeSpecs()
 {
     using enum HumanBone;

@@ -10,7 +10,8 @@ namespace hairpaint::model {
 
 namespace {
 
-/// Of programs and of what they use joints for: VRoid, Biped, Rigify, Auto-Rig, Character Creator, Source, Mixamo.
+/// Words that name no body part: those for programs and for the purpose of a joint, as VRoid, Biped, Rigify, Auto-Rig,
+/// Character Creator, Source and Mixamo use them.
 constexpr std::array<std::string_view, 17> kIdle = {"j",     "bip",  "c",       "adj",   "sec",      "def",
                                                     "org",   "x",    "stretch", "cc",    "base",     "jnt",
                                                     "joint", "bone", "valve",   "biped", "mixamorig"};

@@ -173,7 +173,8 @@ MeshPart withPackedLayouts(RiggedMesh& mesh, std::span<const MeshPart> grown)
 LayoutOverlap overlapOf(const sim::HeadMesh& mesh)
 {
     constexpr int kSide = 512;
-    constexpr float kInside = 1e-3F; // Of a triangle: those that meet at an edge share no texel.
+    // Margin as a fraction of a triangle's height, so that triangles that meet at an edge share no texel.
+    constexpr float kInside = 1e-3F;
     float least = 1e30F;
     float greatest = -1e30F;
     for (const glm::vec3& position : mesh.positionsHd) {

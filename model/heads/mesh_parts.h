@@ -27,18 +27,18 @@ using sim::MeshTexture;
 struct MeshPart
 {
     static constexpr std::size_t kMost = 1024;
-    static constexpr int kMostTiles = 10; ///< Across, as UDIM counts them, and up.
+    static constexpr int kMostTiles = 10; ///< Limit on tiles across, as UDIM has it, and on tiles up.
 
-    std::string name;       ///< Of the object; as isJointName() has it.
-    std::string material;   ///< Likewise; empty where it has none.
-    bool hasLayout = true;  ///< Else all its uvs are the same.
-    glm::ivec2 tile{0};     ///< Of the uv plane, where its layout lay before it was moved to 0..1; 0 .. kMostTiles - 1.
+    std::string name;       ///< Name of the object; isJointName() holds for it.
+    std::string material;   ///< Name of the material, within the same limits; empty where there is none.
+    bool hasLayout = true;  ///< Whether the part has uvs of its own; else all its uvs are the same.
+    glm::ivec2 tile{0};     ///< Tile of the uv plane that the layout was moved to 0..1 from; 0 .. kMostTiles - 1.
     glm::vec3 colour{0.8F}; ///< Linear, 0..1; times the texture.
     PartAlpha alpha = PartAlpha::Opaque;
     bool doubleSided = false;
-    std::int32_t texture = -1;   ///< Of the mesh's; none: -1.
-    std::uint32_t vertices = 0;  ///< How many of the mesh's: they lie part after part,
-    std::uint32_t triangles = 0; ///< as triangles do.
+    std::int32_t texture = -1;   ///< Index into RiggedMesh::textures; -1 for none.
+    std::uint32_t vertices = 0;  ///< Number of vertices; the mesh has them part after part.
+    std::uint32_t triangles = 0; ///< Number of triangles; the mesh has them part after part.
     PartUse use = PartUse::Grows;
     friend bool operator==(const MeshPart&, const MeshPart&) = default;
 };

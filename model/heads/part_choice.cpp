@@ -84,12 +84,12 @@ public:
 
 private:
     [[nodiscard]] float heightOf(std::uint32_t vertex) const { return glm::dot(m_source.positionsHd[vertex], m_up); }
-    /// Of the triangle's middle.
+    /// Height of the triangle's middle.
     [[nodiscard]] float heightOf(const glm::uvec3& corners) const
     {
         return (heightOf(corners.x) + heightOf(corners.y) + heightOf(corners.z)) / 3.0F;
     }
-    /// Twice its area; along `m_up` what of it looks up.
+    /// The triangle's normal, as long as twice its area; its component along `m_up` is what of the area faces up.
     [[nodiscard]] glm::dvec3 acrossOf(const glm::uvec3& corners) const
     {
         const glm::dvec3 a(m_source.positionsHd[corners.x]);

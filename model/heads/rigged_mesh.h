@@ -21,7 +21,7 @@ enum class ToldAxis : std::uint32_t
 /// What a file tells of the space that its mesh stands in, by itself or by its format.
 struct ToldSpace
 {
-    float metresPerUnit = 0.0F; ///< Finite; 0 where nothing tells.
+    float metresPerUnit = 0.0F; ///< Finite; 0 where the file does not tell.
     ToldAxis up = ToldAxis::None;
     friend bool operator==(const ToldSpace&, const ToldSpace&) = default;
 };
@@ -30,15 +30,15 @@ struct RiggedMesh : sim::HeadMesh
 {
     HeadSkeleton skeleton = {};
     ToldSpace told = {};
-    std::vector<MeshPart> parts = {}; ///< All of it together; none where it is one part without a name.
+    std::vector<MeshPart> parts = {}; ///< Parts that cover the whole mesh; empty where it is one part without a name.
     std::vector<MeshTexture> textures = {};
-    UvTiles tiles = {}; ///< Of the first part, once arranged() laid it out.
+    UvTiles tiles = {}; ///< Tiles of the first part's layout, once arranged() has run.
     RiggedMesh() = default;
     RiggedMesh(sim::HeadMesh mesh) : sim::HeadMesh(std::move(mesh)) {}
 };
 
-/// Whether what its parts say of it can be: they cover all of it, each with vertices of its own, of colours and tiles
-/// within their ranges, and name textures that are there.
+/// Whether the parts are valid: they cover the whole mesh, each with vertices of its own, colours and tiles are within
+/// their ranges, and the textures that they name exist.
 [[nodiscard]] bool partsFit(const RiggedMesh& mesh);
 
 } // namespace hairpaint::model

@@ -24,19 +24,21 @@ struct Range
 };
 
 constexpr std::size_t kMostFollowedStrands = 384;
-constexpr std::size_t kSteps = 256;   ///< Along a bundle.
-constexpr float kShortest = 0.2F;     ///< Of the strands are no longer than what is looked at.
-constexpr float kTuft = 0.15F;        ///< Of a braid, at its end: it opens there.
-constexpr float kGathers = 0.1F;      ///< Likewise where it begins.
-constexpr float kParts = 1.8F;        ///< The bundle ends where it is so many times as wide as usual,
-constexpr float kTied = 0.6F;         ///< or, where it is narrow somewhere before that, there.
-constexpr float kLeastBraided = 0.5F; ///< Of what is looked at.
+constexpr std::size_t kSteps = 256; ///< Number of samples along a bundle.
+constexpr float kShortest = 0.2F;   ///< Fraction of the strands that may be shorter than the length that is examined.
+constexpr float kTuft = 0.15F;      ///< Fraction of a braid at its end that is left out, since the braid opens there.
+/// Fraction of a braid at its beginning that is left out, since the hairs gather there.
+constexpr float kGathers = 0.1F;
+constexpr float kParts = 1.8F; ///< The bundle ends where it is this many times as wide as usual,
+constexpr float kTied = 0.6F; ///< or at its narrowest point before that, if less than this many times as wide as usual.
+constexpr float kLeastBraided = 0.5F; ///< Least fraction of the examined length that a braid covers.
 constexpr float kShortestBraidM = 0.03F;
-// Of braids that our own kinds make, whose hairs turn about the middle of their wisp: the fraction of the square of
-// distances that strands go from side to side is .98 to 1 in plaits, .93 in twists; .13 to .23 and .8 of turning are in
-// one direction; strands cross in one direction 2.0 to 2.1 times as often as the other, and 1.1; positions agree, as
-// axes, by .24 to .31 and .41. Where hairs do not turn in their wisp, as in files of former versions: .64 to .67 and
-// .6, .53 and .75, 2.0 to 2.2 and 1.2, .33 and .57. Locks of ringlets come near the one or the other, but agree by .7.
+// Measured in braids of our own kinds, whose hairs turn about the middle of their wisp. Weave, the fraction of the
+// squared distances from the skeleton that is movement from side to side: .98 to 1 in plaits, .93 in twists.
+// Steadiness, the part of the turning that is in one direction: .13 to .23 and .8. Swing, how many times as often
+// strands cross in one direction as in the other: 2.0 to 2.1 and 1.1. Agreement of the positions, as axes: .24 to .31
+// and .41. Where hairs do not turn in their wisp, as in files of former versions, these are .64 to .67 and .6, .53 and
+// .75, 2.0 to 2.2 and 1.2, .33 and .57. Locks of ringlets come near plaits or twists, but their agreement is .7.
 constexpr Range kWeaves{0.5F, 1.0F};
 constexpr float kLeastTurns = 1.2F;
 constexpr Range kPlaitSteadiness{0.08F, 0.65F};
@@ -191,7 +193,8 @@ private:
         }
     }
 
-    /// Of the square of all distances from the skeleton, what strands go from side to side; and the root of that mean.
+    /// How strands go from side to side: the fraction of their squared distances from the skeleton that this makes, and
+    /// its root mean square.
     struct Weave
     {
         float fraction = 0.0F;

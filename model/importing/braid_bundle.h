@@ -13,13 +13,13 @@ namespace hairpaint::model {
 struct FoundBraid
 {
     sim::BraidKind kind = sim::BraidKind::None;
-    float lengthM = 0.0F;                    ///< Of its skeleton, from where its hairs come together to its end.
-    float radiusM = 0.0F;                    ///< As GroupSettings::braidRadiusM has it.
-    std::vector<std::uint32_t> strands = {}; ///< Of HeadStrands.
+    float lengthM = 0.0F;                    ///< Length of the skeleton, from where the hairs come together to the end.
+    float radiusM = 0.0F;                    ///< Radius, as in GroupSettings::braidRadiusM.
+    std::vector<std::uint32_t> strands = {}; ///< Indices into HeadStrands::strands.
 };
 
-/// What strands of `onHead` whose tips are together are; none where that is no braid. `members`: at least one, of
-/// two points or more each.
+/// The braid that strands of `onHead` with their tips together make; none where they are no braid. `members`: indices
+/// of at least one strand, each of two points or more.
 [[nodiscard]] std::optional<FoundBraid> braidOf(const ForeignStrands& strands, const CurveTransform& transform,
                                                 const HeadStrands& onHead, const std::vector<std::uint32_t>& members);
 

@@ -17,11 +17,12 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr float kTipCellM = 0.006F;        ///< Tips in cells that touch are of one bundle.
-constexpr std::size_t kFewestStrands = 24; ///< Of a bundle; and no fewer than
-constexpr std::size_t kFewestOf = 1000;    ///< one of so many of all.
-constexpr float kWidestTipsM = 0.03F;      ///< Root mean square of the distance from their middle.
-constexpr float kFewBraided = 0.02F;       ///< Of all strands: a lock may look like a braid by chance.
+constexpr float kTipCellM = 0.006F;        ///< Side of a cell; tips in cells that touch belong to one bundle.
+constexpr std::size_t kFewestStrands = 24; ///< Least number of strands in a bundle,
+constexpr std::size_t kFewestOf = 1000;    ///< which also has at least one in this many of all strands.
+constexpr float kWidestTipsM = 0.03F;      ///< Greatest root mean square distance of a bundle's tips from their middle.
+/// Least fraction of all strands in braids; below it, locks look like braids by chance.
+constexpr float kFewBraided = 0.02F;
 constexpr float kPatchCellM = 0.005F;
 constexpr float kWidestGapM = 0.02F;
 constexpr float kWiderThanPatchesM = 0.3F;
@@ -83,8 +84,8 @@ void setSpacing(std::span<const glm::vec3> rootsHd, std::span<const glm::vec3> m
 void tell(std::span<const FoundBraid> braids, HeadStrands& onHead)
 {
     std::vector<float> radiiM;
-    std::vector<glm::vec3> rootsHd;   // Of all that are braided,
-    std::vector<glm::vec3> middlesHd; // and their mean, of each braid.
+    std::vector<glm::vec3> rootsHd;   // The roots of all braided strands.
+    std::vector<glm::vec3> middlesHd; // By braid: the mean of its roots.
     for (const FoundBraid& braid : braids) {
         radiiM.push_back(braid.radiusM);
         glm::vec3& middleHd = middlesHd.emplace_back(0.0F);

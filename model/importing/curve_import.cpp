@@ -14,9 +14,9 @@ namespace {
 
 constexpr int kSmallestMap = 256;
 constexpr int kLargestMap = 1024;
-constexpr double kCurvesRead = 0.3; ///< Of all work.
+constexpr double kCurvesRead = 0.3; ///< Fraction of all work that is done once the curves are read.
 constexpr double kTexelsFound = 0.4;
-constexpr double kStrandsMeasured = 0.5; ///< Of a group's.
+constexpr double kStrandsMeasured = 0.5; ///< Fraction of a group's work that is done once its strands are measured.
 
 /// Tells of a part of the work.
 Progress partOfImport(const Progress& progress, double from, double until)

@@ -33,7 +33,7 @@ struct HairHeader
     quint32 strands = 0;
     quint32 points = 0;
     quint32 flags = 0;
-    quint32 segments = 0; ///< Of each strand, where there is no array of them.
+    quint32 segments = 0; ///< Number of segments of each strand, where the file has no array of them.
     float thickness = 0.0F;
     float transparency = 0.0F;
     glm::vec3 colour{0.0F};

@@ -9,9 +9,9 @@ class QIODevice;
 
 namespace hairpaint::model {
 
-/// Of a file that can be sought in. Strict: counts must agree with each other and with the file's size, so that memory
-/// stays within some times that. Unit and axes are told where Hair Paint wrote the file. Throws std::bad_alloc. None
-/// inside where `progress` cancels.
+/// Reads curves from a file that can be sought in. Strict: counts must agree with each other and with the file's size,
+/// so that memory stays within a few times that size. Unit and axes are set where Hair Paint wrote the file. Throws
+/// std::bad_alloc. The optional is empty where `progress` cancels.
 [[nodiscard]] Checked<std::optional<ForeignCurves>> readHairFile(QIODevice& file, const Progress& progress = {});
 
 } // namespace hairpaint::model

@@ -17,7 +17,7 @@ namespace hairpaint::model {
 struct CurveTransform
 {
     glm::mat3 rotation{1.0F};
-    float scaleM = 1.0F; ///< Per unit of the file.
+    float scaleM = 1.0F; ///< Metres per unit of the file.
     glm::vec3 offsetHd{0.0F};
 
     [[nodiscard]] glm::vec3 toHd(const glm::vec3& point) const { return rotation * point * scaleM + offsetHd; }
@@ -33,24 +33,24 @@ struct SkinDirection
 
 struct HeadStrand
 {
-    SkinDirection root; ///< Its direction is that to the point 2 cm along, of short hair a third along.
+    SkinDirection root; ///< The root; its direction is that to the point 2 cm along, or a third along short hair.
     StrandShape shape;
     std::uint32_t points = 2;                    ///< Number of points that the file gives it.
     StrandLook look;                             ///< Widths in m.
-    float held = 0.0F;                           ///< 0..1: how far it stands where gravity would lay it down.
+    float held = 0.0F;                           ///< 0..1: how much it stands where gravity would lay it down.
     std::uint32_t source = 0;                    ///< Its number in the file's group.
-    sim::BraidKind braid = sim::BraidKind::None; ///< In a braid its length is the braid's.
+    sim::BraidKind braid = sim::BraidKind::None; ///< The braid that it belongs to; its length is then the braid's.
 };
 
 struct HeadStrands
 {
     std::vector<HeadStrand> strands;
-    std::vector<SkinDirection> further; ///< Where some of them lie on skin further on.
-    /// Over the skin, of half of the strands no more, where they begin to lie; 0 where none does.
+    std::vector<SkinDirection> further; ///< How some of them lie on the skin further along their length.
+    /// Median height over the skin at which strands begin to lie, m; 0 where none does.
     float heightM = 0.0F;
-    float braidRadiusM = 0.0F;  ///< Of its braids; 0 where it has none.
-    float braidSpacingM = 0.0F; ///< As GroupSettings has it.
-    /// Between patches of roots, where each braid has one; 0 where they are not apart.
+    float braidRadiusM = 0.0F;  ///< Median radius of the braids; 0 without braids.
+    float braidSpacingM = 0.0F; ///< Distance between braids, as in GroupSettings::braidSpacingM.
+    /// Distance between patches of roots, where each braid has a patch of its own, m; 0 where patches are not apart.
     float braidGapM = 0.0F;
 };
 

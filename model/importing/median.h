@@ -7,7 +7,7 @@
 
 namespace hairpaint::model {
 
-/// Of at least one value, of an even number the upper. Reorders them.
+/// The median of at least one value; for an even number the upper of the two in the middle. Reorders `values`.
 [[nodiscard]] inline float medianOf(std::vector<float>& values)
 {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

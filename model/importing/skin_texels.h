@@ -13,8 +13,8 @@ namespace hairpaint::model {
 /// All arrays: by texel on the skin, those near each other on the head near each other here. Immutable.
 struct SkinTexels
 {
-    int size = 0;                     ///< Of the map, a side.
-    std::vector<std::uint32_t> texel; ///< Its number in the map, row by row.
+    int size = 0;                     ///< Side of the map, texels.
+    std::vector<std::uint32_t> texel; ///< Number of the texel in the map, row by row.
     std::vector<glm::vec3> positionsHd;
     std::vector<sim::SkinFrame> frame;
     std::vector<float> areaM2;

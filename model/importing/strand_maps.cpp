@@ -201,8 +201,9 @@ private:
     void writeGel(HairGroup& group) const
     {
         constexpr float kGelOfHeld = 0.92F;
-        constexpr float kMostStand = 0.5F; ///< Of the hairs at a texel, where it is held.
-        constexpr double kFewHeld = 0.02;  ///< Of all hairs: single ones that stand by chance need no gel.
+        constexpr float kMostStand = 0.5F; ///< A texel is held if more than this fraction of its hairs is.
+        /// Least fraction of all hairs; single hairs that stand by chance need no gel.
+        constexpr double kFewHeld = 0.02;
         double held = 0.0;
         double all = 0.0;
         for (std::size_t i = 0; i < m_texels.count(); ++i) {
@@ -324,7 +325,8 @@ private:
             settings.material.widthM = medianOf(widths);
             settings.material.tipAlpha = medianOf(taper);
         }
-        std::vector<float> points; // Of strands without a coil: two a segment, as they are exported.
+        // Numbers of points of strands without a coil; exported hair has two for each segment.
+        std::vector<float> points;
         for (const HeadStrand& strand : m_onHead.strands)
             if (strand.shape.turns == 0.0F && strand.braid == sim::BraidKind::None)
                 points.push_back(static_cast<float>(strand.points));

@@ -15,11 +15,13 @@ namespace {
 
 constexpr float kFewestTurns = 1.2F; ///< With fewer, nothing tells a coil from a bend.
 constexpr float kLeastRadiusM = 3e-4F;
-constexpr float kSteady = 0.8F;     ///< A coil goes round in one direction for so much of its length.
-constexpr float kUneven = 0.35F;    ///< Of its radius, that it differs by in the mean.
-constexpr float kLongestM = 100.0F; ///< Longer ones are no hair.
-constexpr float kLookedAt = 0.6F;   ///< Of a strand: where its phase is told.
-constexpr float kEasesIn = 0.3F;    ///< Of a strand, where a coil is not fully out yet.
+constexpr float kSteady = 0.8F; ///< Least fraction of its turning that a coil does in one direction.
+/// Greatest root mean square deviation of a coil's radius, as a fraction of the radius.
+constexpr float kUneven = 0.35F;
+constexpr float kLongestM = 100.0F; ///< Longer strands are no hair.
+constexpr float kLookedAt = 0.6F;   ///< Fraction of a strand's length at which its phase is measured.
+/// Fraction of a strand from its root in which a coil may not have its full radius yet.
+constexpr float kEasesIn = 0.3F;
 constexpr int kRounds = 3;
 constexpr std::size_t kFewestEven = 64;
 constexpr std::size_t kMostEven = 1024;
@@ -90,7 +92,7 @@ struct Coiling
     float turns = 0.0F;
     float radiusM = 0.0F;
     float lengthM = 0.0F;
-    float turnM = 0.0F; ///< Of the strand itself, in one turn.
+    float turnM = 0.0F; ///< Length of the strand itself in one turn.
     bool isSteady = false;
 };
 

@@ -10,18 +10,19 @@ namespace hairpaint::model {
 
 struct StrandShape
 {
-    float lengthM = 0.0F;    ///< Of the line without the coil.
-    float turns = 0.0F;      ///< Of the coil over the whole strand; 0 where straight or merely bent.
-    float radiusM = 0.0F;    ///< Of the coil where it is fully out.
-    glm::vec3 asideHd{0.0F}; ///< From the line to the strand, a little beyond its middle; unit. Zero without a coil.
+    float lengthM = 0.0F; ///< Length of the line that the strand coils around, m.
+    float turns = 0.0F;   ///< Turns of the coil over the whole strand; 0 where the strand is straight or merely bent.
+    float radiusM = 0.0F; ///< Full radius of the coil, m.
+    /// Unit direction from the line to the strand, a little beyond the middle; zero without a coil.
+    glm::vec3 asideHd{0.0F};
 };
 
-/// Kept from one strand to the next. One per thread.
+/// Buffers of measureStrand(), kept from one strand to the next. One per thread.
 struct StrandScratch
 {
-    std::vector<float> alongM;     ///< By point, from the root.
-    std::vector<glm::vec3> evenHd; ///< The strand at even distances,
-    std::vector<glm::dvec3> sums;  ///< and those added up.
+    std::vector<float> alongM;     ///< By point: its distance from the root along the strand, m.
+    std::vector<glm::vec3> evenHd; ///< The strand resampled at even distances.
+    std::vector<glm::dvec3> sums;  ///< Prefix sums of evenHd.
     std::vector<glm::vec3> axisHd; ///< Out: the line without the coil, root first; at least two points.
 };
 

@@ -18,7 +18,7 @@ namespace hairpaint::model {
 namespace {
 
 constexpr int kDeepestPrim = 64;
-constexpr std::size_t kMostNames = 4096; ///< Of prims with curves.
+constexpr std::size_t kMostNames = 4096; ///< Limit on the number of prims with curves.
 
 tl::unexpected<Clause> brokenUsd()
 {
@@ -433,12 +433,12 @@ private:
     double m_size;
     const Progress& m_progress;
     UsdLayers& m_layers;
-    int m_depth; ///< Of layers and prims that name each other.
+    int m_depth; ///< Depth of references between layers and prims.
     ForeignCurves m_curves;
     std::vector<UsdReference> m_below; ///< Layers under this one.
     std::string m_wanted;              ///< The prim that is read alone; empty: all.
     bool m_wantsDefault = false;
-    bool m_keepsTransform = true; ///< Of the wanted prim.
+    bool m_keepsTransform = true; ///< Whether the wanted prim keeps its own transform.
     std::optional<Clause> m_problem;
     bool m_isCancelled = false;
     bool m_sawNurbs = false;

@@ -18,9 +18,9 @@ namespace {
 
 constexpr int kJournalVersion = 1;
 constexpr qsizetype kMostStateBytes = qsizetype{32} << 20; ///< Tables and project.json have at most 4 MB each.
-constexpr qsizetype kMostPathLetters = 32767;              ///< Of any system.
+constexpr qsizetype kMostPathLetters = 32767;              ///< The longest path that any supported system allows.
 constexpr qsizetype kMostStepLetters = 1000;
-constexpr qint64 kLastMs = 253'402'300'799'000; ///< Of the year 9999.
+constexpr qint64 kLastMs = 253'402'300'799'000; ///< The last second of the year 9999, UTC.
 const QString kJournalFormat = QStringLiteral("hairpaint journal");
 
 } // namespace
@@ -70,7 +70,7 @@ std::optional<StateFields> stateFields(const QByteArray& payload)
     fields.head = static_cast<int>(map.value(QStringLiteral("head")).toInteger(kBuiltInHead));
     for (const auto& [layer, table] : map.value(QStringLiteral("tables")).toMap())
         fields.tables[static_cast<Id>(layer.toInteger())] = table.toByteArray();
-    // Of no file and of no step of ours: the work counts all the same.
+    // A path that is too long is dropped and a step's name is cut: the content can be recovered all the same.
     if (fields.path = map.value(QStringLiteral("path")).toString(); fields.path.size() > kMostPathLetters)
         fields.path.clear();
     fields.step = map.value(QStringLiteral("step")).toString();

@@ -29,7 +29,8 @@ struct StateFields
     /// By layer: 4 bytes for each of its tiles, the tile's number. A layer that is missing has those it had before.
     std::map<Id, QByteArray> tables;
     QString path, step;
-    qint64 fileBytes = -1, fileTimeMs = 0; ///< Of JournalState::file; missing in journals of 0.1.
+    /// JournalState::file; -1 and 0 in journals of version 0.1, which lack them.
+    qint64 fileBytes = -1, fileTimeMs = 0;
     int index = 0, count = 0;
     qint64 timeMs = 0;
 };
@@ -37,11 +38,11 @@ struct StateFields
 [[nodiscard]] QByteArray journalStart();
 [[nodiscard]] bool isJournalStart(const QByteArray& payload);
 [[nodiscard]] QByteArray statePayload(const StateFields& fields);
-/// None where it is no such state.
+/// None where the payload is no valid state.
 [[nodiscard]] std::optional<StateFields> stateFields(const QByteArray& payload);
-/// As fast as it goes: a step waits for it. Throws std::bad_alloc.
+/// Packs at the fastest level, since an undo step waits for it. Throws std::bad_alloc.
 [[nodiscard]] QByteArray deflated(const QByteArray& bytes);
-/// What qCompress packed, but nothing that claims more than `mostBytes`.
+/// Unpacks what qCompress packed; none where it is broken or claims to hold more than `mostBytes`.
 [[nodiscard]] std::optional<QByteArray> inflated(QByteArrayView bytes, qsizetype mostBytes);
 
 } // namespace hairpaint::model

@@ -22,7 +22,7 @@ namespace hairpaint::model {
 namespace {
 
 constexpr qsizetype kMostMeshBytes = qsizetype{192} << 20;
-/// Of what is known of the states while the file is read; beyond it the oldest ones go.
+/// Limit on the bytes kept about states while the file is read; beyond it the oldest states are forgotten.
 constexpr std::size_t kMostKnownBytes = std::size_t{256} << 20U;
 constexpr qsizetype kMostTileBytes = sim::kTileTexels * 4 * sizeof(std::uint16_t);
 
@@ -33,7 +33,7 @@ struct FoundState
 {
     qint64 at = 0;
     std::map<Id, Table> tables = {};
-    std::size_t bytes = 0; ///< That are its own.
+    std::size_t bytes = 0; ///< Bytes that this state alone keeps.
 };
 
 /// Walks the records, and makes content of the states that turn out to count. What a record holds is read where it is
@@ -280,13 +280,13 @@ private:
     std::vector<Tile> m_tiles;
     std::vector<SourceHead> m_heads;
     std::map<Id, Table> m_tables;
-    std::map<int, FoundState> m_states; ///< Of the history that is open, by index.
+    std::map<int, FoundState> m_states; ///< States of the undo history that is being read, by their index in it.
     std::optional<int> m_current;
     bool m_clean = false;
     std::size_t m_knownBytes = 0;
-    std::size_t m_tableBytes = 0; ///< Of m_tables.
+    std::size_t m_tableBytes = 0; ///< Bytes of the tables in m_tables.
     std::size_t m_builtBytes = 0;
-    std::size_t m_mostBytes; ///< That may be built.
+    std::size_t m_mostBytes; ///< Limit on m_builtBytes.
 };
 
 Result<std::optional<RecoveredWork>> read(const OwnFolder& folder, const QString& name, const Progress& progress,

@@ -11,14 +11,14 @@
 
 namespace hairpaint::model {
 
-/// Of all that comes back: as much as one content may hold, and steps beside it as far as there is room.
+/// Limit on the bytes of the recovered steps together: as much as one content may hold, and a quarter more for the
+/// tiles in which the other steps differ.
 inline constexpr std::size_t kMostRecoveredBytes = kMostHeldBytes + kMostHeldBytes / 4;
 
-/// The steps of the history that the journal's last whole state is one of. None where nothing was appended since the
-/// project was saved, and for a file of another version. A file that ends anywhere, or is damaged from some byte on,
-/// gives what stands before that byte; where it stands for more than `mostBytes`, steps far from the last one are left
-/// out. Only an ordinary file is read, not one behind a link. Any thread; a cancelled or unreadable one
-/// gives an error.
+/// The steps of the undo history to which the journal's last whole state belongs. None where nothing was appended since
+/// the project was saved, and for a file of another version. A file that is cut off or damaged gives the states before
+/// that byte. Where the steps need more than `mostBytes`, those far from the last one are left out. Only an ordinary
+/// file is read, not one behind a link. Any thread. A cancelled or unreadable one gives an error.
 [[nodiscard]] Result<std::optional<RecoveredWork>> readJournal(const OwnFolder& folder, const QString& name,
                                                                const Progress& progress = {},
                                                                std::size_t mostBytes = kMostRecoveredBytes);

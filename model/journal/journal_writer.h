@@ -24,35 +24,35 @@ namespace hairpaint::model {
 class JournalWriter
 {
 public:
-    /// What a file may take before it is written anew: this much, or `kLiveFactor` times what it needs.
+    /// A file is written anew once it is larger than this and than `kLiveFactor` times its size after the last time.
     static constexpr qint64 kLeastRewriteBytes = 64 << 20;
     static constexpr qint64 kLiveFactor = 3;
-    static constexpr std::size_t kKeptStates = 24; ///< Steps of the history that a file written anew still has.
+    static constexpr std::size_t kKeptStates = 24; ///< Number of states that a file written anew has.
 
-    /// `states`: of this history, however many; they come first. Follows no link.
+    /// `states`: earlier states of this undo history, however many; they are written first. Follows no link.
     JournalWriter(std::shared_ptr<const OwnFolder> folder, QString name, std::deque<JournalState> states = {},
                   qint64 leastRewriteBytes = kLeastRewriteBytes);
     explicit JournalWriter(const QString& path, qint64 leastRewriteBytes = kLeastRewriteBytes);
 
-    /// Appends it to what a writer would have in the end.
+    /// Adds `state` to `states` as append() does; states of a former history and the oldest beyond kKeptStates go.
     static void keep(std::deque<JournalState>& states, const JournalState& state);
 
-    /// On the disk when it returns.
+    /// The state is on the disk when this returns.
     [[nodiscard]] Checked<void> append(const JournalState& state);
-    /// What was appended last is in the project's file too. Does nothing before the first state.
+    /// Records that the last state is in the project's file, too. Does nothing before the first state.
     [[nodiscard]] Checked<void> markClean();
 
-    /// All that it still has, in a file of its own once more.
+    /// Writes all states that it still keeps into a new file.
     [[nodiscard]] Checked<void> writeAnew();
     [[nodiscard]] std::deque<JournalState> takeStates() { return std::move(m_states); }
 
     [[nodiscard]] bool isClean() const { return m_clean; }
-    /// Nobody has removed the file that it writes, or replaced it.
+    /// Whether the file that it writes is still the one at its path.
     [[nodiscard]] bool isAtPath() const;
     [[nodiscard]] qint64 bytesInFile() const { return m_bytes; }
 
 private:
-    /// Tells by identity; does not keep what nobody else keeps.
+    /// A tile that was written, told by identity; it is not kept alive.
     struct KnownTile
     {
         std::weak_ptr<const sim::RasterTile> tile;
@@ -67,19 +67,19 @@ private:
     [[nodiscard]] QByteArray tableOf(const Layer& layer, QByteArray& records);
     [[nodiscard]] Checked<void> put(QFile& file, QByteArrayView bytes);
     void forget();
-    [[nodiscard]] QString besideName() const; ///< Of a file that is to replace the journal.
+    [[nodiscard]] QString besideName() const; ///< Name of the new file that replaces the journal once it is complete.
 
-    std::shared_ptr<const OwnFolder> m_folder; ///< Null where there was none.
+    std::shared_ptr<const OwnFolder> m_folder; ///< Null where the folder did not exist.
     QString m_name;
     qint64 m_leastRewriteBytes;
     std::unique_ptr<QFile> m_file;
     std::unordered_map<const sim::RasterTile*, KnownTile> m_tiles;
     std::uint32_t m_tileCount = 0;
-    std::map<Id, QByteArray> m_tables; ///< Of each layer, as it was written last.
+    std::map<Id, QByteArray> m_tables; ///< By layer, its table of tiles as it was written last.
     std::vector<std::shared_ptr<const Head>> m_heads;
     std::deque<JournalState> m_states; ///< The newest states that were appended.
     qint64 m_bytes = 0;
-    qint64 m_rewrittenBytes = 0; ///< What the file took when it was written anew last.
+    qint64 m_rewrittenBytes = 0; ///< Size of the file when it was last written anew.
     bool m_clean = true;
     bool m_failed = false;
 };

@@ -10,8 +10,8 @@ namespace hairpaint::model {
 namespace {
 
 constexpr float kOne = 65535.0F;
-constexpr float kGreyTolerance = 6.0F / 255.0F;   ///< JPEG's.
-constexpr float kScaleTolerance = 24.0F / 255.0F; ///< Of soft edges between neighbouring entries, and of JPEG.
+constexpr float kGreyTolerance = 6.0F / 255.0F;   ///< Greatest difference of the channels of a grey, for JPEG's errors.
+constexpr float kScaleTolerance = 24.0F / 255.0F; ///< Greatest distance from a scale, for soft edges and JPEG's errors.
 constexpr float kWhite = 1.0F - kGreyTolerance;
 
 using Rgb = std::array<float, 3>;

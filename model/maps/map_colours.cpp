@@ -14,7 +14,7 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr float kMostLift = 40.0F;       ///< Of a black scale.
+constexpr float kMostLift = 40.0F;       ///< Strength at which a black scale lifts low values; see shownFraction().
 constexpr float kLeastNightLight = 0.2F; ///< Relative luminance at 1 on night paper.
 constexpr std::size_t kTableSteps = 4096;
 using ColourTable = std::array<QRgb, kTableSteps>;
@@ -52,7 +52,7 @@ ColourTable makeTable(const MapSpec& spec, bool nightPaper)
     return table;
 }
 
-/// Of every map, on white paper and on night paper.
+/// By map: the tables for white paper and for night paper.
 std::vector<std::array<ColourTable, 2>> makeTables()
 {
     std::vector<std::array<ColourTable, 2>> tables;

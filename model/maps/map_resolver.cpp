@@ -19,12 +19,12 @@ bool isMuch(std::size_t tiles)
 
 } // namespace
 
-/// Of the background while it works, except `wanted` and `stale`.
+/// What is being resolved in the background. While that works, this thread touches only `wanted` and `stale`.
 struct MapResolver::Underway
 {
     ResolvedMaps maps;
-    Project wanted;     ///< The newest that was asked for.
-    bool stale = false; ///< It is another than the one that is being resolved.
+    Project wanted;     ///< The newest project that was asked for.
+    bool stale = false; ///< Whether `wanted` differs from the project that is being resolved.
 };
 
 void MapResolver::setBackground(Background background, std::function<void(const ResolvedMaps::Addresses&)> arrived)

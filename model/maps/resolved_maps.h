@@ -11,12 +11,12 @@
 
 namespace hairpaint::model {
 
-/// Kept up to date step by step: what is told to differ is resolved again, and of that only tiles that do. Making one
-/// is work for a thread of its own where maps are large; it throws std::bad_alloc. Not safe for two threads at once.
+/// Updated step by step: only tiles of the named maps that differ are resolved again. Making one is work for a thread
+/// of its own where maps are large; it throws std::bad_alloc. Not safe for two threads at once.
 class ResolvedMaps
 {
 public:
-    using Address = std::pair<Id, MapKind>; ///< Of a group, and a map in it.
+    using Address = std::pair<Id, MapKind>; ///< A group's id and a map of that group.
     using Addresses = std::vector<Address>;
 
     ResolvedMaps() = default;
@@ -26,14 +26,14 @@ public:
     [[nodiscard]] sim::MapRaster map(Id group, MapKind map) const;
     /// The maps that differ from those of `before`.
     [[nodiscard]] Addresses differingFrom(const ResolvedMaps& before) const;
-    /// What update() would do: the tiles of layers that are not one value, where they are resolved again.
+    /// The work of update(): the number of layers' tiles that are not of one value, where they are resolved again.
     [[nodiscard]] std::size_t tilesToBlend(const Project& project) const;
     [[nodiscard]] std::size_t tilesToBlend(const Project& project, const HairGroup& group, MapKind map) const;
 
     void update(const Project& project);
-    /// One map, and those that follow it.
+    /// Updates one map, and those that follow it.
     void update(const Project& project, const HairGroup& group, MapKind map);
-    /// The same, where only these tiles of one layer can differ.
+    /// As update() of one map, where only these tiles of one layer can differ.
     void updateTiles(const Project& project, const LayerAddress& address, std::span<const int> tiles);
 
 private:

@@ -78,7 +78,7 @@ void bandOnPatch(Worn& worn, const PatchShape& shape)
         const float from = glm::dot(shape.points[i].positionHd - top.positionHd, across);
         spread += shape.areasM2[i] * from * from;
     }
-    constexpr float kHalfWidthOfSpread = 1.7320508F; // Of an even strip.
+    constexpr float kHalfWidthOfSpread = 1.7320508F; // Half width over standard deviation of an even strip: sqrt(3).
     worn.shape.semiAxesM.y = std::clamp(kHalfWidthOfSpread * std::sqrt(spread / shape.areaM2), 0.003F, 0.03F);
 }
 

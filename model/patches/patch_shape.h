@@ -11,20 +11,21 @@ namespace hairpaint::model {
 
 struct PatchShape
 {
-    std::vector<sim::SurfacePoint> points; ///< Some of its texels, evenly.
-    std::vector<float> areasM2;            ///< That each of them stands for.
+    std::vector<sim::SurfacePoint> points; ///< Some of the patch's texels, evenly spread.
+    std::vector<float> areasM2;            ///< The area that each point stands for.
     float areaM2 = 0.0F;
-    glm::vec3 middleHd{0.0F};     ///< Mean over its area; not on the skin where it is bent.
-    glm::vec3 meanNormalHd{0.0F}; ///< The same of the normals: 1 long where it is flat.
+    glm::vec3 middleHd{0.0F};     ///< Mean position over the patch's area; off the skin where the patch is bent.
+    glm::vec3 meanNormalHd{0.0F}; ///< Mean normal over the patch's area; of length 1 where the patch is flat.
 };
 
-/// None where none of it lies on the skin.
+/// The shape of a patch; none where no texel of it lies on the skin.
 [[nodiscard]] std::optional<PatchShape> shapeOf(const sim::PatchLabels& labels, std::size_t patch);
-/// Of its points the one nearest to there.
+/// The point of the patch that is nearest to `positionHd`.
 [[nodiscard]] const sim::SurfacePoint& pointNearest(const PatchShape& shape, glm::vec3 positionHd);
 
-/// Where and how large a thing of such a patch is before anybody moves it. A tie sits where a hairdresser gathers that
-/// hair: outward from its middle, up and back the more the patch goes around the head.
+/// Sets position and size of a thing with such a patch, before anybody moves it. A tie sits where a hairdresser would
+/// gather that hair: outward from the patch's middle, and the further up and back the more the patch goes around the
+/// head.
 void wearOnPatch(Worn& worn, const PatchShape& shape, const sim::Skin& skin);
 
 } // namespace hairpaint::model

@@ -42,7 +42,7 @@ std::size_t patchHolding(const sim::PatchLabels& labels, const Worn& worn, const
     return spec != nullptr && spec->kind == worn.kind ? *patch : kNoPatch;
 }
 
-/// Of patches of its kind that nothing has yet the one that covers most of what was the thing's.
+/// Among the patches of the thing's kind that are not taken, the one that covers most of the thing's former patch.
 std::size_t patchOverlapping(const sim::PatchLabels& labels, const std::vector<const Worn*>& taken, const Worn& worn,
                              const ProjectPatches::Group& before)
 {
@@ -169,7 +169,7 @@ private:
     Id m_group;
     const sim::PatchLabels& m_labels;
     const ProjectPatches::Group* m_before;
-    std::vector<const Worn*> m_taken; ///< Of each patch, as it was.
+    std::vector<const Worn*> m_taken; ///< By patch: the thing that has it, as it was before; null: none.
 };
 
 sim::RasterTilePtr gatheredTile(const sim::PatchTile& parts, const std::vector<std::uint16_t>& numbers)
@@ -292,7 +292,7 @@ bool ProjectPatches::follow(Project& project, const ProjectPatches* before)
     updateLabels(project);
     for (auto& [id, group] : m_groups)
         changed |= Following(project, id, group.labels, before != nullptr ? before->group(id) : nullptr).run();
-    // Of groups, or of a head, that are no more.
+    // Things whose group is gone, or whose head is.
     const std::size_t count = project.worn.size();
     std::erase_if(project.worn, [this](const Worn& one) { return one.patch && !m_groups.contains(one.group); });
     changed |= project.worn.size() != count;

@@ -16,27 +16,27 @@ namespace hairpaint::model {
 class ProjectPatches
 {
 public:
-    /// Brings it to the project. Work in proportion to the tiles that differ.
+    /// Follows the project's maps and worn things. The work is in proportion to the tiles that differ.
     void update(const Project& project);
 
     /// One channel: the number of the patch where it gathers hair, else 0. Null where none does, or there is no such
     /// group. Tiles in which nothing differs keep their pointers.
     [[nodiscard]] sim::MapRaster gathered(Id group) const;
 
-    /// Makes the list of worn things follow the maps that this holds, from how patches and things were `before`; false
-    /// where it did. A thing stays with the patch that its point is in, the oldest where patches met; else with the one
-    /// that covers most of its own. New patches get new things, and things without a patch go. Where a thing lies
-    /// follows its patch until a hand has moved it.
+    /// Makes the project's list of worn things follow the maps that this holds; returns whether it changed. A thing
+    /// keeps the patch that its point is in, the oldest thing where patches met; else it gets the patch that covers
+    /// most of what it had in `before`. New patches get new things, and things without a patch are removed. A thing's
+    /// position follows its patch until it is moved by hand.
     bool follow(Project& project, const ProjectPatches* before);
 
     struct Group
     {
         ResolvedMap map;
         sim::PatchLabels labels = {};
-        std::vector<Id> things = {};             ///< Of each patch; 0: none.
-        std::vector<std::uint16_t> numbers = {}; ///< Of each patch that gathers; 0: it does not.
+        std::vector<Id> things = {};             ///< By patch: the id of its thing; 0: none.
+        std::vector<std::uint16_t> numbers = {}; ///< By patch: its number where it gathers hair; else 0.
         sim::MapRaster gathered = {};
-        /// The parts' numbers by which each tile of `gathered` was made.
+        /// By tile of `gathered`: the parts and numbers that it was made from.
         std::vector<std::pair<std::shared_ptr<const sim::PatchTile>, std::vector<std::uint16_t>>> made = {};
     };
     [[nodiscard]] const Group* group(Id id) const;

@@ -9,7 +9,7 @@
 
 namespace hairpaint::model {
 
-using Id = int; ///< From a counter that the file keeps; unique within the project; 0 is none.
+using Id = int; ///< Unique within the project, from a counter that its file keeps; 0 is none.
 
 struct LayerAddress
 {
@@ -38,8 +38,8 @@ struct Change
     Id group = 0;
     MapKind map = MapKind::Density;
     Id layer = 0;
-    std::vector<int> tiles = {}; ///< Of the map's raster, ascending; empty with Texels means all.
-    bool preview = false;        ///< Not committed yet, or a preview taken back.
+    std::vector<int> tiles = {}; ///< Tiles of the map's raster that changed, ascending; with Texels, empty means all.
+    bool preview = false;        ///< Whether the change is a preview, or takes one back.
 };
 
 } // namespace hairpaint::model

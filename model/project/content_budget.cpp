@@ -20,7 +20,7 @@ struct ContentBudget
 struct Counts
 {
     std::size_t groups = 0;
-    std::size_t layersInMap = 0; ///< Of the map that has most.
+    std::size_t layersInMap = 0; ///< The number of layers in the map that has most.
     std::size_t layers = 0;
 };
 

@@ -10,9 +10,9 @@ namespace hairpaint::model {
 inline constexpr int kMostGroups = 256;
 inline constexpr int kMostLayersInMap = 256;
 inline constexpr int kMostLayers = 4096;
-inline constexpr qint64 kMostTexels = qint64{1} << 32;               ///< Of all layers.
-inline constexpr qint64 kMostDistinctTexels = qint64{1} << 29;       ///< Of layers that differ.
-inline constexpr std::size_t kMostHeldBytes = std::size_t{1} << 30U; ///< Of tiles that are not of one value.
+inline constexpr qint64 kMostTexels = qint64{1} << 32;         ///< Texels of all layers together.
+inline constexpr qint64 kMostDistinctTexels = qint64{1} << 29; ///< The same; equal layers of one value count once.
+inline constexpr std::size_t kMostHeldBytes = std::size_t{1} << 30U; ///< Bytes of the tiles that are not of one value.
 
 enum class ContentExcess : std::uint8_t
 {
@@ -30,7 +30,7 @@ enum class ContentExcess : std::uint8_t
 [[nodiscard]] bool countsExceed(const std::vector<HairGroup>& groups);
 /// Whether painting alone, without another layer, could make them too much.
 [[nodiscard]] bool paintingMayExceed(const std::vector<HairGroup>& groups);
-/// A sentence that says so and what helps; empty for None.
+/// A sentence that tells the excess and what helps; empty for None.
 [[nodiscard]] QString excessText(ContentExcess excess);
 
 } // namespace hairpaint::model

@@ -11,9 +11,10 @@ namespace {
 
 using sim::CurlSettings;
 
-constexpr float kNever = 1.0F; ///< Farther from the scalp than hair is.
+constexpr float kNever = 1.0F; ///< A distance, m, from the scalp that no hair reaches.
 
-constexpr float kStraightM = 0.004F; ///< Of a coil: what curls at once stands off the head like a brush.
+/// Straight length, m, before a coil: hair that curls at its root would stand off the head.
+constexpr float kStraightM = 0.004F;
 
 /// Diameters in mm, distances from the scalp in cm, switchbacks in 10 cm.
 constexpr CurlSettings curl(float diameterMm, float pitchPerDiameter, float flatness, float inStepCm, float switchbacks,

@@ -11,19 +11,19 @@ namespace hairpaint::model {
 
 struct HairType
 {
-    const char* name; ///< The same in all languages.
+    const char* name; ///< "3B", not translated.
     sim::CurlSettings curl;
     float lockSizeM;
-    float sectionAxes; ///< Of a fibre's section.
+    float sectionAxes; ///< Ratio of the axes of a fibre's cross-section; see GroupSettings.
 };
 
 /// From straight to coily. Diameters and pitches as measured (Loussouarn and others 2007), the rest judged by eye.
 [[nodiscard]] std::span<const HairType> hairTypes();
-/// The one of that name; there must be one.
+/// The type of that name; there must be one.
 [[nodiscard]] const HairType& hairType(std::string_view name);
-/// Which of hairTypes() a group's settings are, as far as its course goes; nothing where any number of that is another.
+/// The index in hairTypes() of the type whose course a group's settings have; none where any number of it differs.
 [[nodiscard]] std::optional<std::size_t> hairTypeOf(const sim::GroupSettings& settings);
-/// Nothing else of the settings changes.
+/// Sets what `type` has; the other settings stay.
 void setHairType(sim::GroupSettings& settings, const HairType& type);
 
 } // namespace hairpaint::model

@@ -32,7 +32,7 @@ enum class Scattering : std::uint8_t
 inline constexpr std::size_t kScatteringCount = 3;
 
 inline constexpr float kLeastTemperatureK = 1700.0F;
-inline constexpr float kNeutralTemperatureK = 6500.0F; ///< That of the screen's white.
+inline constexpr float kNeutralTemperatureK = 6500.0F; ///< Colour temperature of the screen's white.
 inline constexpr float kGreatestTemperatureK = 15000.0F;
 
 /// Wo. A key light, of which the paper's keys change the colour; a fill that follows the camera, a rim light behind the
@@ -44,7 +44,7 @@ struct LightSettings
     float intensity = 0.9F;                        ///< 0..4
     float ambient = 0.35F;                         ///< 0..1: how bright the surroundings are.
     float red = 1.0F, green = 0.97F, blue = 0.93F; ///< 0..1, linear.
-    float temperatureK = kNeutralTemperatureK;     ///< Of the key light, whose colour it multiplies.
+    float temperatureK = kNeutralTemperatureK;     ///< Temperature whose colour multiplies that of the key light.
     float fill = 0.4F;                             ///< 0..2
     float rim = 0.6F;                              ///< 0..4
     Surroundings surroundings = Surroundings::Studio;
@@ -57,12 +57,12 @@ struct LightSettings
 
 struct LightPreset
 {
-    const char* id;    ///< On the command line.
+    const char* id;    ///< Name on the command line.
     const char* title; ///< To be translated in context "Light".
     LightSettings light;
 
     [[nodiscard]] QString titleText() const; ///< Translated.
-    /// `current` under this light; how hair scatters it stays.
+    /// `current` with the lights of this preset; its scattering stays.
     [[nodiscard]] LightSettings appliedTo(const LightSettings& current) const;
 };
 [[nodiscard]] std::span<const LightPreset> lightPresets();

@@ -64,7 +64,7 @@ QString turnsUnit(const GroupSettings& settings)
     if (settings.turnsMode == sim::TurnsMode::PerHair)
         return Units::tr("turns");
     if (settings.turnsMode == sim::TurnsMode::Coils)
-        return QStringLiteral("%"); // Of the turns that the group's pitch makes.
+        return QStringLiteral("%"); // The map holds a percentage of the turns that the group's pitch gives.
     return Units::tr("turns per %1 cm")
         .arg(QLocale().toString(static_cast<double>(settings.turnsPerLengthM) * 100.0, 'g', 3));
 }

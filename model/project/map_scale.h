@@ -17,10 +17,10 @@ struct MapScale
     /// From a map's 0..1 to the number shown, and back; a number beyond the range gives a value beyond 0..1.
     double (*shown)(const sim::GroupSettings& settings, double value);
     double (*value)(const sim::GroupSettings& settings, double shown);
-    /// Values to offer; null or empty: round ones of the range.
+    /// Values that panels offer; null or empty: round numbers within the range.
     std::span<const double> (*steps)(const sim::GroupSettings& settings) = nullptr;
-    double sliderExponent = 1.0; ///< Above 1: low values get more of a slider.
-    /// One of the unit shown, in a unit that is the same for all groups; null: they show the same one.
+    double sliderExponent = 1.0; ///< Exponent of a slider's scale: above 1, low values have more room.
+    /// What a number shown is in a unit that is the same for all groups; null: all groups show the same unit.
     double (*common)(const sim::GroupSettings& settings) = nullptr;
 
     /// From 0..1 to an amount that can be compared between groups, and back, clamped to 0..1.
@@ -28,10 +28,10 @@ struct MapScale
     [[nodiscard]] double fraction(const sim::GroupSettings& settings, double amount) const;
 };
 
-extern const MapScale kDensityScale; ///< Hairs a square centimetre.
-extern const MapScale kLengthScale;  ///< Centimetres; of short hair millimetres.
-extern const MapScale kTurnsScale;   ///< The paper's table 1.
-extern const MapScale kRadiusScale;  ///< Of curls, millimetres.
+extern const MapScale kDensityScale; ///< Hairs a square centimetre; for the density map.
+extern const MapScale kLengthScale;  ///< Length of hair, centimetres, or millimetres where hair is short.
+extern const MapScale kTurnsScale;   ///< Number of turns, as in the paper's table 1.
+extern const MapScale kRadiusScale;  ///< Radius of curls, millimetres.
 extern const MapScale kFrizzScale;   ///< How far hair strays, millimetres.
 extern const MapScale kWidthScale;   ///< Per cent of the group's hair width, 30 to 170.
 extern const MapScale kPercentScale; ///< Per cent.

@@ -124,7 +124,7 @@ std::array<MapSpec, kMapKindCount> makeTable()
                 .title = QT_TRANSLATE_NOOP("MapSpec", "Direction"),
                 .letter = QT_TRANSLATE_NOOP("MapLetter", "R"),
                 .texel = TexelKind::Vector,
-                .scaleColour = 0xFF8080FF, // Of hair that stands upright.
+                .scaleColour = 0xFF8080FF, // The direction of hair that stands upright.
                 .blendModes = kReplacing,
                 .ofHead = [](const Head& head) { return head.naturalDirection; }},
         MapSpec{.kind = MapKind::Frizz,
@@ -237,7 +237,7 @@ QRgb scaleToColour(const MapSpec& spec, float value, bool nightPaper)
 /// For green that is G - max(R, B), for yellow min(R, G) - B, for orange min(R - B, 2 (R - G)).
 float colourToScale(const MapSpec& spec, float red, float green, float blue)
 {
-    constexpr float kWhole = 0.9F; ///< Of the most that the colour has of a channel; brown has little of all.
+    constexpr float kWhole = 0.9F; ///< Fraction of the greatest channel above which a channel counts as full.
     const std::array<float, 3> full = channelsOf(spec.scaleColour);
     const std::array<float, 3> read{red, green, blue};
     const float most = std::max({full[0], full[1], full[2]});

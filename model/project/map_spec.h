@@ -22,7 +22,7 @@ enum class TexelKind : std::uint8_t
     Scalar,
     Index,
     Colour,
-    Vector ///< Of the direction map: sim/groom/direction_texel.h.
+    Vector ///< A direction, as sim/groom/direction_texel.h encodes it.
 };
 
 struct Head;
@@ -31,9 +31,9 @@ struct MapSpec;
 /// One entry of an index map's palette.
 struct PaletteEntry
 {
-    const char* id;                          ///< In files.
+    const char* id;                          ///< Name of the entry in files.
     const char* title;                       ///< To be translated in context "MapSpec".
-    QRgb colour;                             ///< In written images.
+    QRgb colour;                             ///< Colour of the entry in written images.
     [[nodiscard]] QString titleText() const; ///< Translated.
 };
 
@@ -51,21 +51,21 @@ struct PaintValue
 struct MapSpec
 {
     MapKind kind;
-    const char* id;     ///< In files and on the command line: "density".
+    const char* id;     ///< Name in files and on the command line: "density".
     const char* title;  ///< To be translated in context "MapSpec".
-    const char* letter; ///< For the colour-blind; unique. To be translated in context "MapLetter".
+    const char* letter; ///< A unique letter, for the colour-blind; to be translated in context "MapLetter".
     TexelKind texel = TexelKind::Scalar;
-    const MapScale* scale = nullptr; ///< Of a scalar map, else null.
-    QRgb scaleColour;                ///< The colour at 1 ("green"); of other maps, the one that stands for them.
-    std::span<const PaletteEntry> palette = {}; ///< Of an index map.
+    const MapScale* scale = nullptr; ///< Unit and range of a scalar map; null for other maps.
+    QRgb scaleColour; ///< The colour of a scalar map at 1; for other maps, the colour that stands for the map.
+    std::span<const PaletteEntry> palette = {}; ///< Entries of an index map; empty for other maps.
     std::span<const BlendMode> blendModes = {};
-    PaintValue firstPaint = {}; ///< What is painted at first.
+    PaintValue firstPaint = {}; ///< The value that painting starts with.
     /// Where nothing is painted a map shows its rule's default value, or another map of the group (one that stands
     /// before it in the table), or a raster of the head's.
     std::optional<MapKind> follows = {};
     sim::MapRaster (*ofHead)(const Head& head) = nullptr;
-    int valueChannels = 1;        ///< The rule's. A layer's raster has one more: coverage.
-    sim::Texel defaultValue = {}; ///< The rule's.
+    int valueChannels = 1; ///< Channels of a value, from the map's rule; a layer's raster has coverage as one more.
+    sim::Texel defaultValue = {}; ///< Value where nothing is painted, from the map's rule.
 
     [[nodiscard]] QString titleText() const;  ///< Translated.
     [[nodiscard]] QString letterText() const; ///< Translated.

@@ -52,7 +52,7 @@ public:
     operator const MapStack&() const { return *m_stack; }
     [[nodiscard]] const MapStack* operator->() const { return m_stack.get(); }
     [[nodiscard]] const MapStack& operator*() const { return *m_stack; }
-    /// This copy's own.
+    /// This copy's own stack, no longer shared.
     [[nodiscard]] MapStack& write();
     [[nodiscard]] bool sharesWith(const SharedStack& other) const { return m_stack == other.m_stack; }
     friend bool operator==(const SharedStack& a, const SharedStack& b)
@@ -71,7 +71,7 @@ struct HairGroup
     bool visible = true;
     sim::GroupSettings settings;
     std::vector<SharedStack> maps; ///< kMapKindCount, in the order of MapKind.
-    /// To be changed: no longer shared.
+    /// The group's own map, to be changed; no longer shared with copies.
     [[nodiscard]] MapStack& map(MapKind kind) { return maps[static_cast<std::size_t>(kind)].write(); }
     [[nodiscard]] const MapStack& map(MapKind kind) const { return *maps[static_cast<std::size_t>(kind)]; }
     friend bool operator==(const HairGroup&, const HairGroup&) = default;
@@ -92,19 +92,21 @@ struct Head
     UpAxis upAxis = UpAxis::Y;
     QByteArray sourceGlb;                  ///< Source positions, before scale and axis; empty for a built-in head.
     std::shared_ptr<const sim::Skin> skin; ///< Scale and axis applied.
-    /// From the skin, for what keeps hair out of it; none for bust-1, whose hair stays as version 0.1 has it.
+    /// Distances from the skin, which keep hair out of it; null for bust-1, whose hair stays as in version 0.1.
     std::shared_ptr<const sim::DistanceGrid> distances;
-    double scalpFraction = 1.0;                  ///< 0..1 of the skin's area; all of it where the scalp is not known.
-    std::optional<sim::HeadLandmarks> landmarks; ///< None where they are not known.
+    /// Fraction of the skin's area that the scalp covers, 0..1; 1 where the scalp is not known.
+    double scalpFraction = 1.0;
+    std::optional<sim::HeadLandmarks> landmarks;    ///< None where they are not known.
     std::shared_ptr<const sim::HeadMesh> shownMesh; ///< What is drawn; finer than the skin's for a built-in head.
     /// How hair streams over the head where nobody combed it, as a direction map has it; null where it is not known.
     sim::MapRaster naturalDirection = {};
-    std::vector<HeadPart> parts = {}; ///< Hd: seen and touched, without hair of their own.
+    /// Parts of the character without hair of their own, Hd; they are drawn and hair collides with them.
+    std::vector<HeadPart> parts = {};
     std::shared_ptr<const sim::MeshTexture> texture =
-        {}; ///< That its file shows on the skin; null where there is none.
+        {}; ///< The texture on the skin; null where the head's file has none.
 };
 
-inline constexpr int kMostHairs = 4'000'000; ///< A file may ask for this many.
+inline constexpr int kMostHairs = 4'000'000; ///< Greatest value of Project::maxHairs.
 
 struct Project
 {
@@ -112,14 +114,14 @@ struct Project
     std::uint64_t seed = 1;
     int maxHairs = 1'000'000; ///< Limit on candidates, 1..kMostHairs.
     std::shared_ptr<const Head> head;
-    std::vector<Worn> worn; ///< As insertWorn() keeps it.
+    std::vector<Worn> worn; ///< Worn things in the order of insertWorn().
     std::vector<HairGroup> groups;
     sim::Wind wind;
     LightSettings light;
     QRgb background = 0xFF2A2C30;
     SkinTone skin = SkinTone::Clay;
 
-    /// Of the head's skin; 1 without a head.
+    /// Head::scalpFraction of the head; 1 without a head.
     [[nodiscard]] double scalpFraction() const { return head ? head->scalpFraction : 1.0; }
     [[nodiscard]] const HairGroup* group(Id id) const;
     [[nodiscard]] HairGroup* group(Id id);
@@ -127,12 +129,12 @@ struct Project
     [[nodiscard]] Layer* layer(Id groupId, MapKind kind, Id layerId);
     [[nodiscard]] const Worn* wornThing(Id id) const;
     [[nodiscard]] Worn* wornThing(Id id);
-    /// The shapes that a head brings, instead of those that are there; nothing differs where they are the same.
+    /// Replaces the shapes that the former head brought by `shapes`; nothing changes where they are the same.
     void setShapesOfHead(std::span<const sim::Ellipsoid> shapes);
     [[nodiscard]] Id takeId() { return nextId++; }
 };
 
-/// `wind`, on or off as `shown` is.
+/// `wind`, switched on or off as `shown` is.
 [[nodiscard]] inline sim::Wind blowingAs(const sim::Wind& shown, sim::Wind wind)
 {
     wind.enabled = shown.enabled;

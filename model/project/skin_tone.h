@@ -12,7 +12,7 @@ namespace hairpaint::model {
 
 enum class SkinTone : std::uint8_t
 {
-    Clay, ///< Of a display piece; no skin.
+    Clay, ///< The clay of a display piece instead of skin.
     Porcelain,
     Fair,
     Beige,
@@ -26,7 +26,7 @@ inline constexpr std::size_t kSkinToneCount = 8;
 struct SkinLook
 {
     SkinTone tone;
-    const char* id;    ///< In files and on the command line.
+    const char* id;    ///< Name in files and on the command line.
     const char* title; ///< To be translated in context "SkinTone".
     QRgb skin, lips, lids;
     float scatter; ///< 0..1: how far light spreads within it, red furthest.

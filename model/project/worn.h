@@ -23,8 +23,8 @@ enum class WornKind : std::uint8_t
 {
     Ellipsoid, ///< Stands for a part of the head in collisions.
     Ball,      ///< A bead.
-    Ponytail,  ///< A tie that hair goes through, as the next.
-    Bun,       ///< Hair behind it is wound up.
+    Ponytail,  ///< A tie that hair goes through.
+    Bun,       ///< A tie behind which hair is wound up.
     Headband,
     Bow,
     Hairpin,
@@ -45,9 +45,9 @@ struct WornAnchor
 /// The patch of the accessory map that a thing is painted as.
 struct WornPatch
 {
-    std::uint16_t number = 0; ///< 1..65535, another for each patch of the project: the one by which hair knows its tie.
-    WornAnchor at;            ///< A point of the skin in the patch, by which it is found again.
-    bool placedByHand = false; ///< Else where the thing is, and how it is turned, follows from the patch.
+    std::uint16_t number = 0;  ///< 1..65535, unique in the project; hair finds its tie by it.
+    WornAnchor at;             ///< A point of the skin in the patch, by which it is found again.
+    bool placedByHand = false; ///< Whether position and rotation were set by hand; else they follow from the patch.
     friend bool operator==(const WornPatch&, const WornPatch&) = default;
 };
 
@@ -55,31 +55,31 @@ struct Worn
 {
     Id id = 0;
     WornKind kind = WornKind::Ellipsoid;
-    sim::Ellipsoid shape = {};             ///< Where it is on the present head, how it is turned, how large it is.
-    QRgb colour = 0;                       ///< Of a kind that is drawn; 0 otherwise.
-    float sheen = 0.0F;                    ///< Of a kind that is drawn, 0..1: see WornSpec::sheen; 0 otherwise.
-    Id group = 0;                          ///< Whose hair it is worn in: goes when that goes. 0: of none.
-    std::optional<WornAnchor> anchor = {}; ///< None: the nearest point of the skin.
-    std::uint8_t make = 0;                 ///< Of WornSpec::makes; 0 of a kind that has none.
-    float tightness = 0.0F;                ///< Of a tie, 0..1: as in sim::Tie; 0 otherwise.
-    float coilRadiusM = 0.0F;              ///< Of a bun: how far hair is wound about its tie; 0 otherwise.
-    std::optional<WornPatch> patch = {};   ///< None: put on by hand.
+    sim::Ellipsoid shape = {}; ///< Position on the present head, rotation and size.
+    QRgb colour = 0;           ///< Colour of a kind that is drawn; 0 for other kinds.
+    float sheen = 0.0F;        ///< As WornSpec::sheen, 0..1; 0 for kinds that are not drawn.
+    Id group = 0;              ///< The group in whose hair it is worn, and with which it is removed; 0: none.
+    std::optional<WornAnchor> anchor = {}; ///< The point of the skin that it hangs on; none: the nearest one.
+    std::uint8_t make = 0;                 ///< Index into WornSpec::makes; 0 for kinds without makes.
+    float tightness = 0.0F;                ///< As sim::Tie has it, 0..1; 0 for kinds that are no ties.
+    float coilRadiusM = 0.0F;              ///< How far hair is wound about the tie of a bun; 0 for other kinds.
+    std::optional<WornPatch> patch = {};   ///< The patch that it is painted as; none where it was put on by hand.
     friend bool operator==(const Worn&, const Worn&) = default;
 };
 
-/// What a pull on an end of an axis sizes.
+/// What a pull on the end of an axis resizes.
 enum class WornHandles : std::uint8_t
 {
-    Axes,  ///< That axis; with Shift all.
-    Radius ///< All.
+    Axes,  ///< That axis; all axes with Shift.
+    Radius ///< All axes.
 };
 
 /// What a thing is made of.
 struct WornMake
 {
-    const char* id;                                 ///< In files.
+    const char* id;                                 ///< Name of the make in files.
     const char* title;                              ///< To be translated in context "Worn".
-    float sheen;                                    ///< Of a new one.
+    float sheen;                                    ///< Worn::sheen of a new thing of this make.
     std::shared_ptr<const sim::HeadMesh> (*mesh)(); ///< See WornSpec::mesh.
 };
 
@@ -87,47 +87,48 @@ struct WornMake
 struct WornSpec
 {
     WornKind kind;
-    const char* id;       ///< In files.
-    const char* ownArray; ///< Of project.json, with those of this kind; null: they lie in `worn`, and tell their kind.
+    const char* id;       ///< Name of the kind in files.
+    const char* ownArray; ///< Array of project.json that holds this kind; null: the array `worn`, with the kind's id.
 
     const char* title;
-    const char* action;      ///< Ends the id of the menus' action: hair.add...
-    const char* addTitle;    ///< In menus, with a mnemonic.
-    const char* addHint;     ///< %1: the limit.
-    const char* removeTitle; ///< In menus, with a mnemonic.
-    const char* addStep;     ///< For undo, as the next four.
+    const char* action;      ///< End of the id of the menus' action: hair.add...
+    const char* addTitle;    ///< Title of the action that adds one, with a mnemonic.
+    const char* addHint;     ///< Hint of that action; %1 is the limit.
+    const char* removeTitle; ///< Title of the action that removes one, with a mnemonic.
+    const char* addStep;     ///< Text of the undo step, as are the next four.
     const char* removeStep;
     const char* moveStep;
     const char* sizeStep;
-    const char* lookStep; ///< Of a kind that is drawn; else null.
+    const char* lookStep; ///< Null for a kind that is not drawn.
 
-    std::size_t limit; ///< In a project.
-    float radiusM;     ///< Of a new one,
-    float liftRadii;   ///< how far its centre lies above the skin, in radii,
-    QRgb colour;       ///< its colour,
-    float sheen;       ///< and, 0..1, how much light it reflects without taking that colour.
+    std::size_t limit; ///< Limit on the number in a project.
+    float radiusM;     ///< Radius of a new thing.
+    float liftRadii;   ///< Height of a new thing's centre above the skin, in radii.
+    QRgb colour;       ///< Colour of a new thing.
+    float sheen;       ///< 0..1: how much light a new thing reflects without taking its colour.
     float leastRadiusM;
     float greatestRadiusM;
     WornHandles handles;
-    bool ofHead;   ///< The head brings its own: another head takes them away.
-    bool collides; ///< Hair does not enter its shape.
-    /// Drawn as a lit body: a closed mesh that fits the unit ball, which the shape scales, turns and moves. Null: never
-    /// drawn, and in reach only while colliders are shown.
+    bool ofHead;   ///< Whether a head brings things of this kind; another head replaces them.
+    bool collides; ///< Whether hair is kept out of its shape.
+    /// The closed mesh that is drawn, within the unit ball, which the shape scales, rotates and moves. Null: never
+    /// drawn, and only to be picked while colliders are shown.
     std::shared_ptr<const sim::HeadMesh> (*mesh)();
-    /// Instead, for a kind that follows the head: the mesh for that shape on that skin.
+    /// For a kind that fits the head, instead of `mesh`: the mesh for that shape on that skin.
     std::shared_ptr<const sim::HeadMesh> (*fitted)(const sim::Ellipsoid& shape, const sim::Skin& skin) = nullptr;
-    std::span<const WornMake> makes = {}; ///< To choose from; the first is a new one's, and its mesh is `mesh`.
-    glm::vec3 proportions{1.0F};          ///< Semi-axes of a new one, in radii.
-    int sizedAxis = 0;                    ///< Whose semi-axis panels call its size.
-    const char* sizeTitle = nullptr;      ///< What they call it; null: "Radius".
-    /// Stands on the skin: moved over it, turned with it, its own z away from it.
+    std::span<const WornMake> makes = {}; ///< Makes to choose from; a new thing has the first, whose mesh is `mesh`.
+    glm::vec3 proportions{1.0F};          ///< Semi-axes of a new thing, in radii.
+    int sizedAxis = 0;                    ///< The axis whose semi-axis panels show as the size.
+    const char* sizeTitle = nullptr;      ///< Title of the size in panels; null: "Radius".
+    /// Whether it stands on the skin: it moves and turns with the skin, its z axis pointing away from it.
     bool stands = false;
-    bool alongPatch = false; ///< As its patch it lies along it, and is half as long; others are as large as it.
-    std::optional<sim::TieForm> tie = {}; ///< Gathers the hair of its patch; its own z is where hair leaves.
-    float reach = 1.0F;                   ///< `mesh` lies within so many of the unit ball's radii.
-    float tieHole = 0.0F;                 ///< Inner radius of a tie, in radii.
-    float coilRadiusM = 0.0F;             ///< Of a new bun.
-    const char* patchStep = nullptr;      ///< For undo, of one that is put on with a patch of its own; else null.
+    bool alongPatch = false; ///< Whether it lies along its patch, half as long; others are as large as the patch.
+    /// How it gathers the hair of its patch, which leaves along its z axis; none if not.
+    std::optional<sim::TieForm> tie = {};
+    float reach = 1.0F;              ///< Radius of the ball that holds `mesh`, in radii of the unit ball.
+    float tieHole = 0.0F;            ///< Inner radius of a tie, in radii.
+    float coilRadiusM = 0.0F;        ///< Worn::coilRadiusM of a new bun.
+    const char* patchStep = nullptr; ///< Undo step that puts it on with a patch of its own; null: it has none.
 
     [[nodiscard]] bool drawn() const { return mesh != nullptr; }
 };
@@ -139,33 +140,33 @@ struct WornSpec
 
 /// The kind that an entry of the accessory map's palette stands for; null for "none".
 [[nodiscard]] const WornSpec* wornOfPalette(int index);
-/// What is drawn, in the space of the unit ball (rendering::Solid): made once, but of a kind that follows the head anew
-/// at each call. Without a skin as if it followed none. Null for what is not drawn.
+/// The mesh that is drawn, in the space of the unit ball (rendering::Solid). It is made once, but at each call for a
+/// kind that fits the head; without a skin it fits none. Null for a kind that is not drawn.
 [[nodiscard]] std::shared_ptr<const sim::HeadMesh> wornMesh(const Worn& worn, const sim::Skin* skin);
-/// What gathers hair as the groom knows it; none where it gathers none.
+/// The tie that the groom has for the thing; none where it gathers no hair.
 [[nodiscard]] std::optional<sim::Tie> tieOf(const Worn& worn);
 
-/// A new one on the skin, without an id.
+/// A new thing on the skin, without an id.
 [[nodiscard]] Worn makeWorn(const WornSpec& spec, const sim::SurfacePoint& point, Id group = 0);
-/// As makeWorn() puts it there, but as large as it is.
+/// Puts it at the point as makeWorn() does, but keeps its size.
 void standOn(Worn& worn, const sim::SurfacePoint& point);
 /// The point of the skin that it hangs on.
 [[nodiscard]] sim::SurfacePoint anchorPoint(const Worn& worn, const sim::Skin& skin);
-/// Moved over the skin by hand, from its point to another: it keeps its offset and its rotation there.
+/// Moves it by hand from one point of the skin to another; its offset and rotation in the skin's frame stay.
 void carryTo(Worn& worn, const sim::SurfacePoint& from, const sim::SurfacePoint& to);
-/// Sized by hand: of what its patch sizes, where it lies follows the patch no more.
+/// After sizing by hand: where a thing's size comes from its patch, its position stops following the patch.
 void holdSize(Worn& worn);
-/// As it is worn once its shape has been moved: from then on it hangs on the nearest point of the skin.
+/// After its shape was moved: hangs it on the nearest point of the skin.
 void anchorWorn(Worn& worn, const sim::Skin* skin);
 
-/// Things lie in the order of the table and, of one kind, in that of their coming: as files give them back.
+/// Inserts a thing in the order of wornSpecs() and, among its kind, last: the order in which files are read back.
 void insertWorn(std::vector<Worn>& all, const Worn& one);
 [[nodiscard]] std::size_t countOf(const std::vector<Worn>& all, WornKind kind);
-/// What hair does not enter.
+/// The shapes that hair is kept out of.
 [[nodiscard]] std::vector<sim::Ellipsoid> contactShapes(const std::vector<Worn>& all);
-/// Of kinds that a head brings.
+/// The shapes of kinds that a head brings.
 [[nodiscard]] std::vector<sim::Ellipsoid> shapesOfHead(const std::vector<Worn>& all);
-/// Of things that are worn in that group's hair, by rising number.
+/// The ties that are worn in the group's hair, by ascending patch number.
 [[nodiscard]] std::vector<sim::Tie> tiesIn(const std::vector<Worn>& all, Id group);
 
 } // namespace hairpaint::model

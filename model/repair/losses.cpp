@@ -16,8 +16,8 @@ namespace {
 
 struct SettingLoss
 {
-    const char* key;      ///< Of the root.
-    const char* sentence; ///< In context "Files".
+    const char* key;      ///< Key in the root object of project.json.
+    const char* sentence; ///< To be translated in context "Files".
 };
 
 constexpr std::array<SettingLoss, 9> kSettingLosses = {{
@@ -114,7 +114,8 @@ void Losses::layerProperties(const QString& group, const MapSpec& spec, const QS
 
 void Losses::layer(const QString& group, const MapSpec& spec, const QString& layer)
 {
-    m_sentences.removeAll(layerPropertiesText(group, spec, layer)); // Of nothing they are no loss.
+    // The layer's properties are no loss where all of its paint is lost.
+    m_sentences.removeAll(layerPropertiesText(group, spec, layer));
     add(say(QT_TRANSLATE_NOOP("Files", "The paint of the layer '%3' of %2 in the group '%1' is lost."))
             .arg(quotedName(group), spec.titleText(), quotedName(layer)));
 }

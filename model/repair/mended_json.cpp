@@ -22,9 +22,10 @@ constexpr auto kMendedFormat = "hairpaint project";
 struct RootKey
 {
     const char* key;
-    int since = 1; ///< The format version.
+    int since = 1; ///< The first format version that has the key.
 };
-/// Of project.json, in the order in which they are written; without the head, the groups and what is found anew.
+/// Keys of the root of project.json, in the order in which they are written; without the head, the groups and what is
+/// found anew.
 constexpr std::array<RootKey, 8> kRootKeys = {
     {{"background"}, {"ellipsoids"}, {"light"}, {"max_hairs"}, {"seed"}, {"skin"}, {"wind"}, {"worn", 3}}};
 

@@ -39,7 +39,8 @@ tl::unexpected<Clause> nothingLeft()
 class RepairProgress
 {
 public:
-    /// Of all work: finding out whether the file is damaged, looking for its entries, reading layers.
+    /// Fractions of the whole repair that are done once the file was tried for damage, its entries are found and its
+    /// layers are read.
     static constexpr double kTried = 0.4;
     static constexpr double kFound = 0.5;
     static constexpr double kLayers = 0.9;

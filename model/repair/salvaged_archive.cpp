@@ -15,13 +15,13 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr qint64 kLocalBytes = 30;   ///< Of a header before its name (APPNOTE 4.3.7).
-constexpr qint64 kCentralBytes = 46; ///< Likewise (4.3.12).
+constexpr qint64 kLocalBytes = 30;   ///< Bytes of a local header before its name (APPNOTE 4.3.7).
+constexpr qint64 kCentralBytes = 46; ///< Bytes of a header in the directory before its name (4.3.12).
 constexpr qint64 kScannedBytes = 1 << 20;
 constexpr qint64 kSignatureBytes = 4;
 constexpr int kLongestEntryName = 200;
 constexpr std::size_t kMostHeaders = 4 * std::size_t{kMostArchiveEntries};
-constexpr std::size_t kMostRecords = 8; ///< Of one name.
+constexpr std::size_t kMostRecords = 8; ///< Limit on records kept for entries of one name.
 constexpr quint16 kDeflated = 8;
 
 const QByteArray kLocalMark("PK\x03\x04", 4);

@@ -28,16 +28,16 @@ public:
     struct Content
     {
         QByteArray bytes;
-        bool whole = false; ///< Of the size and the checksum that were written down; else bytes may lack or be wrong.
+        bool whole = false; ///< Whether size and checksum are those in a header; else bytes may be missing or wrong.
     };
-    /// At most so many bytes; none where nothing of that name was found.
+    /// The content of an entry, at most `mostBytes`; none where no entry of that name was found.
     [[nodiscard]] std::optional<Content> read(const QString& name, qint64 mostBytes);
 
 private:
     /// What one header says of an entry.
     struct Record
     {
-        qint64 at = 0; ///< Of its first byte in the file.
+        qint64 at = 0; ///< Offset of the entry's packed bytes in the file.
         qint64 packedBytes = 0;
         qint64 bytes = 0;
         quint32 checksum = 0;
@@ -49,7 +49,7 @@ private:
     void readCentral(qint64 at);
     void add(const QByteArray& name, const Record& record);
     [[nodiscard]] QByteArray bytesAt(qint64 at, qint64 count);
-    /// Where the header after that offset lies, or the file ends.
+    /// Offset of the next header after `at`, or of the file's end.
     [[nodiscard]] qint64 endOf(qint64 at) const;
     [[nodiscard]] Content contentOf(const Record& record, qint64 mostBytes);
 

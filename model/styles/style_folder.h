@@ -15,20 +15,21 @@ struct StyleFolder
     enum class Kind : std::uint8_t
     {
         All,
-        Favourites, ///< What the user has marked, as a list of its own tells.
-        Recent,     ///< What was put on last, likewise.
+        Favourites, ///< Styles that the user has marked; they are kept in a list of their own.
+        Recent,     ///< Styles that were put on last; they are kept in a list of their own.
         Tagged,
         Own
     };
     Kind kind;
     const char* title;                       ///< To be translated in context "StyleFolders".
-    std::span<const char* const> tags = {};  ///< Of a tagged folder, as files have them.
+    std::span<const char* const> tags = {};  ///< Tags of a tagged folder, as files have them; empty for other kinds.
     [[nodiscard]] QString titleText() const; ///< Translated.
 };
 
-[[nodiscard]] std::span<const StyleFolder> styleFolders(); ///< As they stand side by side; the first holds all.
+/// In the order in which they are shown; the first holds all styles.
+[[nodiscard]] std::span<const StyleFolder> styleFolders();
 
-/// Whether a style of these tags lies in it; never in the two whose lists the user makes.
+/// Whether a style with these tags belongs to the folder; false for Favourites and Recent, whose lists tell.
 [[nodiscard]] bool liesIn(const StyleFolder& folder, const QStringList& tags, bool own);
 
 } // namespace hairpaint::model

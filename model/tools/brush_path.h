@@ -10,11 +10,11 @@
 
 namespace hairpaint::model {
 
-/// Where a dab goes.
+/// The position of a dab.
 struct BrushSample
 {
     glm::vec2 uv{0.0F};
-    std::optional<sim::SurfacePoint> point; ///< None off every island.
+    std::optional<sim::SurfacePoint> point; ///< The point of the skin; none off every island.
     SkinMetric metric;
     float pressure = 1.0F;
 };
@@ -119,7 +119,7 @@ private:
     const sim::Skin* m_skin;
     float m_spacingM;
     float m_leastStepUv;
-    std::optional<Cursor> m_cursor; ///< Where the path ends.
+    std::optional<Cursor> m_cursor; ///< End of the path so far.
     BrushSample m_last;             ///< The last dab's sample; its metric is the average at first.
     float m_carriedM = 0.0F;        ///< Distance covered since the last sample.
 };

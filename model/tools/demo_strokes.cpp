@@ -36,7 +36,7 @@ DemoHair combed(const DemoMoment& moment)
 DemoHair parted(const DemoMoment& moment)
 {
     constexpr double kFallen = 1.25;
-    constexpr double kReach = 0.4; // Of the width.
+    constexpr double kReach = 0.4; // How far hair on either side falls, as a fraction of the area's width.
     const int fromMiddle = 2 * moment.column - (DemoMoment::kColumns - 1);
     const double side = fromMiddle < 0 ? -1.0 : fromMiddle > 0 ? 1.0 : 0.0;
     const double near = 1.0 - std::abs(moment.root.x() - moment.area.center().x()) / (kReach * moment.area.width());

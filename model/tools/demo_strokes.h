@@ -17,24 +17,24 @@ struct DemoHair
     double lengthPx = kLengthPx;
 };
 
-/// A hair's root while the stroke goes on. px of the picture.
+/// One hair's root at one moment of the stroke. Positions in px of the picture.
 struct DemoMoment
 {
     static constexpr int kColumns = 15;
     static constexpr double kRingPx = 15.0; ///< Radius of the pointer's ring.
-    QRectF area;                            ///< Of the roots.
-    double done = 0.0;                      ///< Of the stroke, 0..1.
+    QRectF area;                            ///< The area that the roots cover.
+    double done = 0.0;                      ///< Fraction of the stroke that is done, 0..1.
     QPointF start;                          ///< Where the stroke began.
     QPointF pointer;
-    int column = 0; ///< From the left, below kColumns.
-    int row = 0;    ///< From the top.
+    int column = 0; ///< Column of the root from the left, below kColumns.
+    int row = 0;    ///< Row of the root from the top.
     QPointF root;
 };
 
-/// Of a tool's traits.
+/// A tool's demonstration stroke (ToolTraits::demo).
 struct DemoStroke
 {
-    QPointF from{0.02, 0.55}; ///< Fractions of the area.
+    QPointF from{0.02, 0.55}; ///< Start of the stroke, as fractions of the area; `to`: its end.
     QPointF to{1.0, 0.55};
     bool drawsLine = false; ///< From `from` to the pointer, instead of a ring.
     DemoHair (*hair)(const DemoMoment& moment) = nullptr;

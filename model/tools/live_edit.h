@@ -10,8 +10,8 @@
 
 namespace hairpaint::model {
 
-/// Begins where the layer is there, visible and unlocked; elsewhere it stays inactive and everything else does nothing.
-/// Somebody else's edit commits it, undo drops it (or takes back its last part, where `stepBack` can).
+/// Begins if the layer exists, is visible and unlocked; else it stays inactive, and the other functions do nothing.
+/// Another edit of the document commits it; undo drops it, or takes back its last part where `stepBack` can.
 class LiveEdit
 {
 public:
@@ -20,7 +20,7 @@ public:
     /// Takes another layer into the running edit and returns its number; none where it is missing, hidden or locked.
     /// The target's number is 0.
     [[nodiscard]] std::optional<std::size_t> also(const ToolContext& context, const LayerAddress& address);
-    /// What the step will be called instead; empty: as it is.
+    /// Replaces the step's text; empty: keeps it.
     void setText(const QString& text)
     {
         if (!text.isEmpty())
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] int size(std::size_t layer = 0) const { return before(layer).size(); }
     [[nodiscard]] const sim::TiledRaster& before(std::size_t layer = 0) const { return m_layers[layer].before; }
     [[nodiscard]] BlendMode blend(std::size_t layer = 0) const { return m_layers[layer].blend; }
-    /// The texels that may change: those in the selection. None overlaps another.
+    /// Rectangles of the texels that may change, those in the selection. They do not overlap.
     [[nodiscard]] const std::vector<sim::TexelRect>& clips(std::size_t layer = 0) const
     {
         return m_layers[layer].clips;
@@ -43,7 +43,7 @@ public:
     /// The same, where all tiles not named (they are in ascending order) go back to what they were before the edit.
     void replace(const std::vector<int>& tiles, const MakeTile& make, std::size_t layer = 0);
 
-    /// One step with the tiles as last shown; none where none differs.
+    /// Pushes one step with the tiles as last shown; no step where no tile differs.
     void commit() { m_session.commit(); }
     void cancel() { m_session.drop(); }
 
@@ -58,7 +58,7 @@ private:
     };
 
     EditSession m_session;
-    std::vector<Edited> m_layers; ///< The target is the first.
+    std::vector<Edited> m_layers; ///< The layers of the edit; the target's is the first.
 };
 
 /// The texels whose centres lie in the selection; all of them where nothing is selected. None overlaps another.

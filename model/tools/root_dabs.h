@@ -17,7 +17,7 @@ struct RootDab
     Dab dab;
     sim::SurfacePoint root;
     glm::vec3 seenHd{0.0F}; ///< Where the brush met the strand.
-    float fraction = 0.0F;  ///< Of its length, 0..1: where the stroke has met it nearest to its root so far.
+    float fraction = 0.0F; ///< Fraction of its length, 0..1, nearest to its root at which the stroke has met it so far.
     std::optional<Dab> twin = {};
     std::optional<sim::SurfacePoint> twinRoot = {};
 };
@@ -32,14 +32,14 @@ public:
 
     struct Shape
     {
-        float sizeM = 0.03F; ///< The brush's diameter, as far away as the hair.
+        float sizeM = 0.03F; ///< The brush's diameter at the hair's distance from the camera.
         float hardness = 1.0F;
         float strength = 1.0F;
         bool twinRoots = false;
-        bool fractions = false; ///< Strands come again, too, where they are met nearer to their root.
+        bool fractions = false; ///< Whether strands are given again when they are met nearer to their root.
     };
-    /// Of the strands that the brush met since the last event; `onlyStronger`: but those that it met as strongly
-    /// before.
+    /// Dabs of the strands that the brush met since the last event; `onlyStronger`: without those that it met as
+    /// strongly before.
     [[nodiscard]] std::vector<RootDab> moveTo(const OverHair& hair, const ToolContext& context, const Shape& shape,
                                               bool onlyStronger);
     /// Stands at the event without giving dabs.
@@ -51,11 +51,11 @@ private:
     [[nodiscard]] float spacingM(glm::vec2 uv, float detail) const;
 
     int m_mapSize;
-    float m_spacingM = 0.001F; ///< Of the group's candidates.
+    float m_spacingM = 0.001F; ///< Mean spacing of the group's candidates.
     std::shared_ptr<const sim::TiledRaster> m_density;
     std::optional<QPointF> m_last;
-    std::vector<float> m_strengths; ///< By slot: the greatest so far,
-    std::vector<float> m_fractions; ///< and the least; empty where nobody has asked.
+    std::vector<float> m_strengths; ///< By slot: the greatest strength so far.
+    std::vector<float> m_fractions; ///< By slot: the least fraction so far; empty until Shape::fractions asks for it.
 };
 
 } // namespace hairpaint::model

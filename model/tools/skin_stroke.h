@@ -11,13 +11,13 @@
 
 namespace hairpaint::model {
 
-/// Of one tool, from stroke to stroke. GUI thread.
+/// What one tool keeps for its strokes. GUI thread.
 struct SkinStroke
 {
     std::unique_ptr<SkinFrames> frames; ///< Kept from stroke to stroke.
-    std::optional<BrushPath> path;      ///< While a stroke lasts, as the next.
-    std::optional<RootDabs> roots;      ///< Where it goes over strands.
-    StrokeHeading heading;              ///< Where the pointer goes.
+    std::optional<BrushPath> path;      ///< Spacing of dabs on the skin; only while a stroke lasts.
+    std::optional<RootDabs> roots;      ///< Dabs where the stroke goes over strands; only while a stroke lasts.
+    StrokeHeading heading;              ///< Direction of the pointer's movement.
 
     /// The head that a stroke on the direction map may go over; null where none can.
     [[nodiscard]] static const Head* headFor(const ToolContext& context)
@@ -26,14 +26,14 @@ struct SkinStroke
         return context.target.map == MapKind::Direction && head != nullptr && head->skin != nullptr ? head : nullptr;
     }
 
-    /// Before a stroke over that head.
+    /// Prepares `frames` for a stroke over that head.
     void look(const Head& head)
     {
         if (frames == nullptr || !frames->isOf(head.skin))
             frames = std::make_unique<SkinFrames>(head.skin);
     }
 
-    /// `size`: of the layer, texels. Dabs are an eighth of their diameter apart, half a texel at least.
+    /// `size`: side of the layer, texels. Dabs are an eighth of their diameter apart, half a texel at least.
     void begin(const Head& head, const ToolContext& context, int size)
     {
         constexpr float kSpacing = 1.0F / 8.0F;

@@ -5,7 +5,7 @@ namespace hairpaint::model {
 
 namespace {
 
-/// Of the tool's first choice that says anything.
+/// The text of the first of the tool's choices that has one; empty where none has.
 QString saidByChoice(const Tool& tool, const ToolSettings& settings, const char* ToolChoice::Item::*words)
 {
     for (const ToolOption* option : tool.options())

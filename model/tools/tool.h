@@ -31,9 +31,9 @@ enum class Area : std::uint8_t
 struct OverHair
 {
     QPointF position;           ///< px of the view.
-    float pxPerM = 1.0F;        ///< px of the view a metre, as far away as the hair.
-    glm::vec3 positionHd{0.0F}; ///< Where the pointer is, as far away as the hair that the stroke began on.
-    std::optional<sim::SurfacePoint> root = {}; ///< Of the strand nearest to the pointer; none between strands.
+    float pxPerM = 1.0F;        ///< px of the view for a metre at the hair's distance from the camera.
+    glm::vec3 positionHd{0.0F}; ///< The pointer's position at the distance of the hair that the stroke began on.
+    std::optional<sim::SurfacePoint> root = {}; ///< Root of the strand nearest to the pointer; none between strands.
 };
 
 /// One pointer event, made alike by the paint area and the 3D area.
@@ -44,7 +44,7 @@ struct ToolEvent
     glm::vec2 uv{0.0F};
     /// Where the pointer is on the skin; none off the head.
     std::optional<sim::SurfacePoint> point = {};
-    /// Set where the tool is to work on the strands that are seen there, and not on the skin: no point then.
+    /// Set where the tool is to work on the strands that are seen there instead of the skin; `point` is none then.
     std::optional<OverHair> hair = {};
     float pressure = 1.0F; ///< 0..1; 1 for a mouse.
     double seconds = 0.0;
@@ -58,14 +58,14 @@ struct GrabbedHair
 {
     sim::SurfacePoint root;
     glm::vec3 positionHd{0.0F};
-    float alongM = 0.0F; ///< From the root, along the hair; above 0.
+    float alongM = 0.0F; ///< Distance from the root along the hair; above 0.
 };
 
-/// One pointer event of the 3D area with hair in the hand.
+/// One pointer event of the 3D area while a hair is held.
 struct HairEvent
 {
-    GrabbedHair hair;         ///< What was pressed on, the same until the release.
-    glm::vec3 targetHd{0.0F}; ///< Where the pointer has taken it, as far from the camera as it was.
+    GrabbedHair hair;         ///< The point of hair that was pressed, the same until the release.
+    glm::vec3 targetHd{0.0F}; ///< Where the pointer has moved that point, at its former distance from the camera.
     Qt::KeyboardModifiers modifiers = {};
 };
 
@@ -88,7 +88,7 @@ struct GuideStrand
 {
     sim::SurfacePoint root;
     std::vector<glm::vec3> nodesHd; ///< From the root, which stays, to the tip.
-    bool held = false;              ///< One of its nodes is in the hand.
+    bool held = false;              ///< Whether one of its nodes is held.
 };
 
 /// What is drawn over the areas while a tool is in use. uv space; closed where marked.
@@ -111,20 +111,21 @@ struct ToolContext
     LayerAddress target;    ///< The active layer.
     ToolSettings& settings; ///< Brush size, value, ...; tools may change them (the picker does).
     Selection& selection;
-    bool mirror = false;                               ///< Paint at the reflected point too.
-    std::function<Id(MapKind)> activeLayer = {};       ///< Of the target's group, for each map; 0 where it has none.
-    std::shared_ptr<const sim::StrandFrame> hair = {}; ///< The newest that is drawn; null before there is any.
+    bool mirror = false; ///< Paint at the reflected point too.
+    /// The active layer of each map of the target's group; 0 where it has none.
+    std::function<Id(MapKind)> activeLayer = {};
+    std::shared_ptr<const sim::StrandFrame> hair = {}; ///< The newest frame that is drawn; null before there is any.
     const SeenHair* seen = nullptr;                    ///< The picture of the 3D area; null outside it.
 
-    /// The active layer of another map of the target's group; the top one where nobody says which it is.
+    /// The active layer of another map of the target's group; the top one where `activeLayer` is not set.
     [[nodiscard]] LayerAddress layer(MapKind map) const;
 };
 
-/// What a tool is, whatever it does just now: its row.
+/// The constant properties of a tool: its row.
 struct ToolTraits
 {
     ToolId id{};
-    const char* name = "";    ///< "brush": of its icon and in the names of its keys.
+    const char* name = "";    ///< "brush": name of its icon, and part of the names of its keys.
     const char* title = "";   ///< To be translated in context "Tool", as are the next two.
     const char* purpose = ""; ///< What it is for, a sentence.
     const char* hint = "";    ///< What the status bar says it does next, unless the tool itself knows better.
@@ -132,22 +133,23 @@ struct ToolTraits
     ToolOptions options = {}; ///< What the option bar shows for it.
     bool hasRing = false;     ///< The cursor is a brush ring, and Ctrl+click takes the value there.
     bool paints = true;       ///< Needs a layer that can be painted on.
-    bool isFirst = false;     ///< In hand until another is chosen: one of all.
-    bool erases = false;      ///< Lays bare what lies below: one of all, which a pen's other end is. Its key goes back.
-    bool selects = false;     ///< What it draws is the selection, which the option bar then has more to do with.
+    bool isFirst = false;     ///< The tool that is active at the start; true for one tool.
+    bool erases = false;  ///< The eraser, which a pen's other end selects; true for one tool. Its key switches back.
+    bool selects = false; ///< It draws the selection; the option bar then shows the selection's actions.
     /// The map that it works on, whichever is active: choosing the tool, or pressing with it, makes that the active
     /// one.
     std::optional<MapKind> map = {};
-    /// What a drag with Ctrl on the head paints besides, which else it leaves alone.
+    /// A map that a drag with Ctrl on the head paints, too.
     std::optional<MapKind> paintsWithCtrl = {};
-    /// Another map that it changes too, as it is set: a layer of it must be there to be painted on. Null: none ever.
+    /// Another map that it also changes with these settings, which needs a layer that can be painted on. Null: never
+    /// any.
     std::optional<MapKind> (*alsoPaints)(const ToolSettings& settings) = nullptr;
-    const DemoStroke* demo = nullptr; ///< Null: what it does shows at the first try.
+    const DemoStroke* demo = nullptr; ///< Its demonstration; null where none is needed.
     /// Whether it works on strands, too, where they are seen in the 3D area. Null: never.
     bool (*worksOnHair)(const ToolSettings& settings) = nullptr;
 };
 
-/// Of tools that work on the skin, in both areas.
+/// The interface of tools that work on the skin, in both areas.
 class SkinHandler
 {
 public:
@@ -159,7 +161,7 @@ public:
     virtual void hover(const ToolEvent& /*event*/, ToolContext& /*context*/) {}
 };
 
-/// Of tools that in the 3D area take hold of hair, and of nothing else.
+/// The interface of tools that grab hair in the 3D area, and nothing else.
 class HairHandler
 {
 public:
@@ -173,8 +175,8 @@ public:
     [[nodiscard]] virtual std::vector<GuideStrand> guides() const = 0;
 };
 
-/// Of tools that in the 3D area draw over the picture, wherever they begin: an interface of its own, since it has
-/// neither a point of the skin nor a hair to tell of and lasts while there is nothing under the pointer.
+/// The interface of tools that draw over the picture of the 3D area, wherever they begin. It is one of its own, since
+/// its events have neither a point of the skin nor a hair, and go on while nothing is under the pointer.
 class PictureHandler
 {
 public:
@@ -212,11 +214,11 @@ public:
         return traits().alsoPaints != nullptr ? traits().alsoPaints(settings) : std::nullopt;
     }
 
-    /// What the status bar says the tool does next,
+    /// What the status bar says the tool does next.
     [[nodiscard]] virtual QString hint() const { return tr(traits().hint); }
-    /// and with these settings: what the row of its choice says, where that says anything.
+    /// The same with these settings: the hint of the choice that is set, or hint() where it has none.
     [[nodiscard]] QString hintFor(const ToolSettings& settings) const;
-    /// What undo calls what it does with these settings; empty where no row says, and the title will do.
+    /// Text of the undo step with these settings; empty where no choice has one, and the title is used.
     [[nodiscard]] QString stepFor(const ToolSettings& settings) const;
 
     /// What takes hold of hair in the 3D area; null where the tool works on the skin there, too.
@@ -230,9 +232,9 @@ public:
     virtual void cancel(ToolContext& context) = 0;
     /// Ends a running action early, keeping it.
     virtual void commit(ToolContext& context) = 0;
-    /// Something runs: while a button is down, or pending.
+    /// Whether an action runs: while a button is down, or pending.
     [[nodiscard]] virtual bool active() const = 0;
-    /// Something runs that goes on after the button was released: a polygon waits for its next corner.
+    /// Whether the action goes on after the button was released: a polygon waits for its next corner.
     [[nodiscard]] virtual bool pending() const { return false; }
     [[nodiscard]] virtual std::vector<OverlayShape> overlay() const { return {}; }
 };

@@ -22,15 +22,15 @@ struct ToolNumber
 {
     enum class Unit : std::uint8_t
     {
-        Percent,     ///< Of a fraction,
-        Centimetres, ///< of lengths in metres.
+        Percent,     ///< Shows a fraction in per cent.
+        Centimetres, ///< Shows a length in metres in centimetres; the next in millimetres.
         Millimetres
     };
     float ToolSettings::*field = nullptr;
     Unit unit = Unit::Percent;
-    double least = 0.0; ///< In that unit,
+    double least = 0.0; ///< Range, in `unit`.
     double greatest = 100.0;
-    double standard = 0.0; ///< Of new settings, in that unit too.
+    double standard = 0.0; ///< Value in new settings, in `unit`.
     int decimals = 0;
     double exponent = 1.0; ///< Above 1 a slider gives low values more room.
     [[nodiscard]] double shownPerSi() const;
@@ -41,7 +41,7 @@ struct ToolSwitch
 {
     bool ToolSettings::*field = nullptr;
     const char* icon = "";
-    bool standard = false; ///< Of new settings.
+    bool standard = false; ///< Value in new settings.
 };
 
 /// One of a few kinds.
@@ -51,14 +51,14 @@ struct ToolChoice
     {
         const char* icon;
         const char* title;     ///< To be translated in context "ToolOptions".
-        const char* step = ""; ///< What undo calls what is done with it, in context "Tool"; "": as the tool.
-        const char* hint = ""; ///< What the status bar says of it, in context "Tool"; "": as the tool.
+        const char* step = ""; ///< Text of its undo step, in context "Tool"; "": the tool's.
+        const char* hint = ""; ///< Text in the status bar, in context "Tool"; "": the tool's.
         [[nodiscard]] QString titleText() const { return QCoreApplication::translate("ToolOptions", title); }
     };
     std::span<const Item> entries;
     int (*read)(const ToolSettings& settings) = nullptr;
     void (*write)(ToolSettings& settings, int index) = nullptr;
-    int standard = 0; ///< The entry of new settings.
+    int standard = 0; ///< Index of the entry in new settings.
     [[nodiscard]] const Item& chosen(const ToolSettings& settings) const
     {
         return entries[static_cast<std::size_t>(read(settings))];
@@ -85,7 +85,7 @@ using ToolOptions = std::span<const ToolOption* const>;
 
 /// A row's number in SI units, 0 or 1 of a switch, the index of a choice; 0 of a ToolValue.
 [[nodiscard]] double optionOf(const ToolSettings& settings, const ToolOption& option);
-/// What it gives of new settings.
+/// optionOf() in new settings.
 [[nodiscard]] double standardOf(const ToolOption& option);
 /// Puts what optionOf() gave into the settings, at the nearest end of the range where it lies beyond; what is no number
 /// is passed over.

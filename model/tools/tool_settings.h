@@ -16,12 +16,12 @@ enum class ShapeKind : std::uint8_t
 /// What a stroke of the comb does to hair.
 enum class CombKind : std::uint8_t
 {
-    Lay,    ///< Lays it along the stroke.
-    Lift,   ///< Raises it, or lowers it, in the direction in which it lies.
-    Smooth, ///< As its neighbours lie.
+    Lay,    ///< Lays hair along the stroke.
+    Lift,   ///< Raises or lowers hair in the direction in which it lies.
+    Smooth, ///< Lays hair as its neighbours lie.
     Noise,
-    Whorl, ///< Lays it in a spiral around the pointer.
-    Hold   ///< As it lies now, with gel.
+    Whorl, ///< Lays hair in a spiral around the pointer.
+    Hold   ///< Keeps hair as it lies now, with gel.
 };
 /// What fingers do to hair.
 enum class FingerKind : std::uint8_t
@@ -61,14 +61,14 @@ enum class GradientKind : std::uint8_t
 [[nodiscard]] std::array<PaintValue, kMapKindCount> firstPaintValues();
 [[nodiscard]] std::array<PaintValue, kMapKindCount> secondPaintValues();
 
-/// Ranges, and what new ones have, are in the rows of the tools (ToolOption).
+/// The ranges and the values of new settings are in the tools' rows (ToolOption).
 struct ToolSettings
 {
-    ToolSettings(); ///< As the rows have it.
+    ToolSettings(); ///< Sets all values as the rows have them.
 
     float brushSizeM = 0.0F; ///< Diameter on the skin.
     float hardness = 0.0F;
-    float opacity = 0.0F; ///< Of the whole stroke.
+    float opacity = 0.0F; ///< Opacity of the whole stroke, 0..1.
     bool pressureSize = false;
     bool pressureOpacity = false;
     float fillTolerance = 0.0F;
@@ -76,20 +76,20 @@ struct ToolSettings
     GradientKind gradient{};
     CombKind comb{};
     TouchKind touch{};
-    float flatness = 0.0F;    ///< Of combed hair: 0 stands upright, 1 lies flat.
-    float partReachM = 0.0F;  ///< To either side of a parting.
+    float flatness = 0.0F;    ///< Flatness of combed hair: at 0 it stands upright, at 1 it lies flat.
+    float partReachM = 0.0F;  ///< Reach to either side of a parting.
     float partGapM = 0.0F;    ///< The width in which a parting has no hair.
     float partZigzagM = 0.0F; ///< How far it leaves its curve.
-    float holdGel = 0.0F;     ///< Hair that is held as it lies gets at least so much gel,
-    float grabGel = 0.0F;     ///< and hair that is pulled so much.
+    float holdGel = 0.0F;     ///< Least gel of hair that the comb holds, 0..1.
+    float grabGel = 0.0F;     ///< Gel of hair that was grabbed, 0..1.
     FingerKind fingers{};
-    float fingerStrength = 0.0F; ///< Of what a stroke could do.
+    float fingerStrength = 0.0F; ///< Strength of a stroke of the fingers, 0..1.
     GrabKind grab{};
-    float lift = 0.0F; ///< From hair as it lies to upright, or to flat below 0.
+    float lift = 0.0F; ///< How far the comb raises hair: at 1 upright, at 0 as it lies, at -1 flat.
     CutKind cut{};
-    bool cutThrough = false;                                           ///< Cut what the head hides, too.
-    float cutFraction = 0.0F;                                          ///< Of the hairs that are crossed.
-    float cutRaggedM = 0.0F;                                           ///< How far from the line each of them is cut.
+    bool cutThrough = false;  ///< Cut what the head hides, too.
+    float cutFraction = 0.0F; ///< Fraction of the crossed hairs that is cut.
+    float cutRaggedM = 0.0F;  ///< Greatest distance of a hair's cut from the line.
     std::array<PaintValue, kMapKindCount> values = firstPaintValues(); ///< What each map is painted with.
     std::array<PaintValue, kMapKindCount> secondValues =
         secondPaintValues(); ///< What X swaps in; the far end of gradients.

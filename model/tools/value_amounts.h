@@ -11,7 +11,7 @@
 
 namespace hairpaint::model {
 
-/// Of the values and second values of tool settings, whose scalars are fractions of the active group's range.
+/// Amounts of the values and second values of tool settings, whose scalars are fractions of the active group's range.
 class ValueAmounts
 {
 public:
@@ -26,8 +26,8 @@ public:
 private:
     struct Amount
     {
-        double number = 0.0; ///< In the map's common unit,
-        QString unit;        ///< or where it has none in this: turns are no per cent.
+        double number = 0.0; ///< In the map's common unit, or in `unit` where it has none.
+        QString unit; ///< Unit of `number`; amounts of different units, as turns and per cent, are never compared.
     };
     struct Pair
     {

@@ -11,7 +11,8 @@ namespace hairpaint::model {
 struct Error
 {
     QString message;
-    bool isDamage = false; ///< Of a file of ours, of which some may still be read.
+    /// Whether a file of the program's own formats is damaged, and some of it may still be read.
+    bool isDamage = false;
 };
 
 template<typename T>

@@ -48,7 +48,8 @@ inline glm::vec3 pointAfter(const std::vector<glm::vec3>& hair, float alongM)
     return hair.back();
 }
 
-/// Of every sixth hair and that nearest to it, within 8 mm at the root: how many lie on one side and then on the other.
+/// The fraction of hairs that the nearest other hair crosses from one side to the other; among every sixth hair with
+/// another root within 8 mm.
 inline double crossingFraction(const Strands& hairs)
 {
     constexpr int kSamples = 24;
@@ -216,7 +217,7 @@ inline PartMeasures partOf(const Strands& hairs)
     return found;
 }
 
-/// Of squares of 3 mm around the crown, how many no hair passes, seen from above.
+/// The fraction of squares of 3 mm around the crown, seen from above, that no hair passes.
 inline double bareFraction(const Strands& hairs, const glm::vec3& crown)
 {
     constexpr int kSquares = 20; ///< Across: 6 cm.

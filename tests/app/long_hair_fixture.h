@@ -16,7 +16,7 @@ using model::TouchKind;
 class LongHairFixture : protected WindowFixture
 {
 protected:
-    QPoint m_at; ///< Of the 3D area: hair that hangs far from its roots, over skin.
+    QPoint m_at; ///< A point of the 3D area, px, where hair hangs over skin, far from its roots.
     QWidget* m_head = nullptr;
 
     void openWithLongHair()
@@ -79,7 +79,7 @@ protected:
                     texels.emplace_back(x, y);
         return texels;
     }
-    /// Of the 3D area, where the skin has hair.
+    /// A point of the 3D area, px, where hair grows on the skin.
     [[nodiscard]] QPoint hairyPoint()
     {
         const auto density = map(MapKind::Density);

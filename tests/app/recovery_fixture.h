@@ -23,7 +23,7 @@ public:
     explicit RecoveryAnswer(QString button) : m_button(std::move(button)) { startTimer(20); }
     QStringList offered;
     QString question;
-    QString note; ///< Of what lies where nothing can be written.
+    QString note; ///< The note about work in a folder that can't be written; empty where it is not shown.
 
 protected:
     void timerEvent(QTimerEvent* /*event*/) override

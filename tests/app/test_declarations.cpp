@@ -25,7 +25,7 @@ const QStringList kOfSeveralSources{QStringLiteral("app/cli/command.h"),
                                     QStringLiteral("view/look/icon_drawing.h"),
                                     QStringLiteral("view/rendering/gl/offscreen_context.h")};
 
-/// Of the four floors, by path, those whose names end so.
+/// The contents, by path, of the four floors' files whose names end with `ending`.
 QHash<QString, QString> textsOf(const QString& ending)
 {
     QHash<QString, QString> texts;

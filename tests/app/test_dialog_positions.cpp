@@ -36,7 +36,7 @@ private Q_SLOTS:
         QTest::addColumn<QRect>("window");
         QTest::addColumn<QRect>("head");
         QTest::addColumn<QSize>("dialog");
-        QTest::addColumn<double>("mostHidden"); // Of the 3D area.
+        QTest::addColumn<double>("mostHidden"); // The greatest fraction of the 3D area that may be hidden.
         const QRect large(0, 0, 1920, 1080);
         const QRect small(0, 0, 960, 600);
         const QSize light(420, 520);

@@ -32,7 +32,7 @@ private Q_SLOTS:
         const QTemporaryDir home;
         QProcess program;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.remove(QStringLiteral("XDG_RUNTIME_DIR")); // Of which Qt would tell.
+        environment.remove(QStringLiteral("XDG_RUNTIME_DIR")); // Qt would warn of it.
         environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
         environment.insert(QStringLiteral("QT_LOGGING_RULES"), QStringLiteral("hairpaint.start=true"));
         environment.insert(QStringLiteral("XDG_DATA_HOME"), home.path());

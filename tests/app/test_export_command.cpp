@@ -59,7 +59,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("suffix");
         QTest::addColumn<QStringList>("options");
         for (const model::ExportFormat& format : model::exportFormats())
-            if (!format.isAvatar) // Of another head.
+            if (!format.isAvatar) // Avatars need another head.
                 QTest::newRow(format.id) << QString::fromLatin1(format.suffix)
                                          << (format.hasCards
                                                  ? QStringList{QStringLiteral("--cards"), QStringLiteral("--triangles"),

@@ -101,7 +101,8 @@ private Q_SLOTS:
                 glm::distance(after.strand(i).front(), after.strand(i).back()) / static_cast<double>(after.count());
         QVERIFY2(std::abs(lengthAfter / lengthBefore - 1.0) < 0.05,
                  qPrintable(QString::number(lengthAfter / lengthBefore)));
-        // Of every twentieth hair, the one that stands nearest goes about as far in about that direction.
+        // For every twentieth hair, the imported hair with the nearest root goes about as far in about the same
+        // direction.
         double apart = 0.0;
         double gone = 0.0;
         for (std::size_t i = 0; i < before.count(); i += 20) {

@@ -21,7 +21,7 @@ constexpr int kPatienceMs = 120'000;
 struct Outcome
 {
     int code = -1;
-    QString output; ///< Of both streams.
+    QString output; ///< Standard output and standard error together.
 };
 
 } // namespace

@@ -32,8 +32,8 @@ namespace {
 constexpr const char* kFolderVariable = "HAIRPAINT_KILLED_FOLDER";
 constexpr const char* kSeedVariable = "HAIRPAINT_KILLED_SEED";
 constexpr std::array kZones{"EAST-14", "WEST+12"};        ///< Each start is in the other one, a day and more away.
-constexpr int kStartMs = 10 * kPatienceMs;                ///< Of many windows some start late.
-constexpr qsizetype kMostShown = 800;                     ///< Letters of a log.
+constexpr int kStartMs = 10 * kPatienceMs;                ///< Among many windows, some start late.
+constexpr qsizetype kMostShown = 800;                     ///< Greatest number of a log's letters that a failure shows.
 constexpr const char* kGoesBack = "goes back or forth\n"; ///< Written down before an undo or a redo.
 
 QByteArray hashOf(const QByteArray& bytes)
@@ -288,7 +288,7 @@ private:
         return moments;
     }
 
-    /// Of windows that were killed; the newest.
+    /// The work of the window that was killed last.
     static std::optional<model::RecoveredWork> leftWork()
     {
         for (const auto& folder : JournalFolder::abandoned(JournalFolder::root()))
@@ -441,7 +441,7 @@ private Q_SLOTS:
                 const std::optional<model::RecoveredWork> again = leftWork();
                 QVERIFY2(again, qPrintable(QStringLiteral("Kill %1: nothing is left of what was restored").arg(turn)));
                 QVERIFY(again->current <= work->current);
-                const std::size_t gone = work->current - again->current; // Of the oldest steps.
+                const std::size_t gone = work->current - again->current; // Only the oldest steps may be lost.
                 QVERIFY(gone == 0 || again->steps.size() >= model::JournalWriter::kKeptStates - 1);
                 QCOMPARE(again->steps.size() + gone, work->steps.size());
                 for (std::size_t i = 0; i < again->steps.size(); ++i)

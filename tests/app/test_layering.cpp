@@ -197,7 +197,7 @@ private Q_SLOTS:
                 if (file.fileName().endsWith(QLatin1String("_wgl.cpp")) ||
                     file.fileName().endsWith(QLatin1String("_windows.cpp")) ||
                     file.fileName().endsWith(QLatin1String("_portable.cpp")))
-                    continue; // Of two guarded files one is built.
+                    continue; // They define the same classes as a sibling; each system builds one of them.
                 QVERIFY(file.open(QIODevice::ReadOnly));
                 const QString room = QFileInfo(file).path() + QLatin1Char('/');
                 auto match = member.globalMatch(QString::fromUtf8(file.readAll()));

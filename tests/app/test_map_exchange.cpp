@@ -153,7 +153,8 @@ private Q_SLOTS:
         project.head = *head;
         sim::TiledRaster& lengths = project.groups.front().map(model::MapKind::Length).layers.front().raster;
         lengths = sim::TiledRaster(lengths.size(), lengths.channels(), {40'000, 65'535});
-        lengths.setTexel(10, 200, {20'000, 65'535}); // Of the tile at the left; both lie in the lower half.
+        // A texel of the left tile; the next is of the right one, and both lie in the lower half.
+        lengths.setTexel(10, 200, {20'000, 65'535});
         lengths.setTexel(200, 200, {10'000, 65'535});
         openTold(std::move(project));
         editor().target().setMap(model::MapKind::Length);

@@ -185,7 +185,7 @@ private Q_SLOTS:
         const QString bald = m_folder.filled("bald.png", Qt::white);
         QVERIFY(!m_folder.filled("maps/head_density.0001.png", Qt::green).isEmpty());
         QVERIFY(!m_folder.filled("maps/Scalp-length.png", QColor(128, 128, 128)).isEmpty());
-        QVERIFY(!m_folder.filled("maps/holiday.png", Qt::red).isEmpty()); // Of no map: left out.
+        QVERIFY(!m_folder.filled("maps/holiday.png", Qt::red).isEmpty()); // It names no map, so it is left out.
         const QString project = m_folder.path("of_folder.hairpaint");
         QCOMPARE(make(project, {QStringLiteral("--maps"), folder.path()}), QString());
         const auto layersOf = [&project](model::MapKind kind) {

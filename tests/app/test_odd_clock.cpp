@@ -57,7 +57,7 @@ private Q_SLOTS:
 
     void anOddClockHidesNothing()
     {
-        // Of windows that were killed while the clock was wrong by decades, or stood before all times.
+        // Times of windows that were killed while the clock was wrong by decades, or before 1970.
         constexpr qint64 kYearMs = qint64{365} * 24 * 3600 * 1000;
         const qint64 now = QDateTime::currentMSecsSinceEpoch();
         const std::array<qint64, 5> times{-kYearMs, 0, now - 30 * kYearMs, now, now + 30 * kYearMs};

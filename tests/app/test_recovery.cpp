@@ -227,7 +227,7 @@ private Q_SLOTS:
         openBald();
         stroke(0.5F);
         QTRY_COMPARE_WITH_TIMEOUT(foldersLeft(), 1, kPatienceMs);
-        RecoveryAnswer discard(QStringLiteral("Discard")); // Of changes, which is asked by a box.
+        RecoveryAnswer discard(QStringLiteral("Discard")); // Answers the question about unsaved changes.
         QVERIFY(m_window->close());
         QCOMPARE(foldersLeft(), 0);
     }

@@ -18,7 +18,7 @@ private:
     QString m_server; ///< The folder.
     QByteArray m_pathBytes;
     QTimer m_patience;
-    int m_askedByDialogs = 0; ///< Of files, which look into the folder.
+    int m_askedByDialogs = 0; ///< Number of requests to the folder that file dialogs made on the main thread.
 
     [[nodiscard]] QStringList lyingThere() const
     {

@@ -16,7 +16,7 @@ class TestSkinContact : public QObject
     Q_OBJECT
 private:
     QTemporaryDir m_folder;
-    std::unique_ptr<const sim::Skin> m_shown; ///< Of the mesh that is shown.
+    std::unique_ptr<const sim::Skin> m_shown; ///< Skin of the mesh that is shown.
 
     /// How far a hair's deepest point lies in the skin that is shown, m; 0 for one that stays outside.
     [[nodiscard]] static float depthOf(const std::vector<glm::vec3>& hair, const model::Head& head,
@@ -62,8 +62,8 @@ private Q_SLOTS:
     {
         QFETCH(QString, style);
         QFETCH(glm::vec3, wind);
-        constexpr double kDeepHairs = 0.005;    // Of all, more than a millimetre deep,
-        constexpr double kDeeperHairs = 0.0015; // and more than three: some that wind presses through an ear.
+        constexpr double kDeepHairs = 0.005;    // Limit on the fraction of hairs deeper than 1 mm.
+        constexpr double kDeeperHairs = 0.0015; // The same for 3 mm, for some that wind presses through an ear.
         const std::optional<model::Project> project = styledProject(style);
         QVERIFY(project);
         const Strands hairs = exportedHair(app::SettledHair(*project, 2.0, {.hairs = {}, .windVelocity = wind}),

@@ -33,7 +33,7 @@ private:
         auto* notice = strip().findChild<view::StyleNotice*>();
         return notice->isVisible() ? notice->findChild<QPushButton*>() : nullptr;
     }
-    /// Of the user's own, listed.
+    /// Saves a style among the user's own; returns its path.
     [[nodiscard]] QString makeOwn(const QString& name)
     {
         const QString path = ownStylePath(name);

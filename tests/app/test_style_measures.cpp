@@ -23,8 +23,8 @@ namespace {
 constexpr std::size_t kHairs = 3000;
 constexpr double kSettledSeconds = 2.0;
 
-/// Of a new project, and another that a user could bring: the bust of former versions with a grid of distances, as an
-/// imported head has it.
+/// "new": the head of a new project. Else one that a user could bring: the bust of former versions, with a grid of
+/// distances as an imported head has it.
 std::shared_ptr<const model::Head> headNamed(const QString& name)
 {
     if (name == QLatin1StringView("new"))

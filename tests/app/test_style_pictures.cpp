@@ -28,7 +28,7 @@ QByteArray bytesOf(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// Of the grey values, 0..255.
+/// Mean absolute difference of the pixels' grey values, 0..255.
 double meanDifference(const QImage& a, const QImage& b)
 {
     double sum = 0.0;

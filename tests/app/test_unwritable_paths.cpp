@@ -128,7 +128,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("ending");
-        QTest::addColumn<QString>("written"); // Of the link's name.
+        QTest::addColumn<QString>("written"); // What the link's name has before its ending.
         const auto row = [](const char* name, const QStringList& arguments, const char* ending,
                             const QString& written = {}) {
             QTest::newRow(name) << arguments << QString::fromLatin1(ending) << written;
@@ -136,7 +136,7 @@ private Q_SLOTS:
         row("new", {QStringLiteral("new")}, "hairpaint");
         row("repair", {QStringLiteral("repair"), m_good}, "hairpaint");
         for (const model::ExportFormat& format : model::exportFormats())
-            if (!format.isAvatar) // Of other heads.
+            if (!format.isAvatar) // Avatars need other heads.
                 row(format.id,
                     QStringList{QStringLiteral("export"), m_good} +
                         (format.hasCards ? QStringList{QStringLiteral("--cards")} : QStringList()),
@@ -224,7 +224,7 @@ private Q_SLOTS:
                                             QStringLiteral("--preset"), QStringLiteral("Buzz cut")}
                              << project;
         for (const model::ExportFormat& format : model::exportFormats()) {
-            if (format.isAvatar) // Of other heads; its files are those of cards.
+            if (format.isAvatar) // Avatars need other heads; their files are written as those of cards are.
                 continue;
             const QString hair = path(QStringLiteral("full.") + QLatin1StringView(format.suffix));
             QTest::newRow(format.suffix) << QStringList{QStringLiteral("export"),  styled,

@@ -13,8 +13,9 @@ class TestWindowPainting : public QObject, private WindowFixture
 {
     Q_OBJECT
 private:
-    static constexpr double kSeen = 0.003;  ///< Fraction of the picture that hair must have changed.
-    static constexpr int kLittle = 12;      ///< Of all channels, where hair looks otherwise and is where it was.
+    static constexpr double kSeen = 0.003; ///< Fraction of the picture that hair must have changed.
+    /// Least difference of a pixel's channels together that counts, where hair changes its colour in place.
+    static constexpr int kLittle = 12;
     static constexpr double kSame = 0.0005; ///< Fraction that two pictures of the same may differ by.
 
     [[nodiscard]] QWidget& paper() { return m_window->paintView(); }

@@ -54,7 +54,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("style");
         QTest::addColumn<float>("levelM");
-        QTest::addColumn<double>("mostEndsM"); ///< Of how far the ends lie from their median, what most keep to.
+        QTest::addColumn<double>("mostEndsM"); ///< The distance from their median that most ends stay within.
         QTest::newRow("straight") << QByteArray("long-straight") << -0.09F << 0.005;
         QTest::newRow("waved") << QByteArray("bob") << -0.02F << 0.005;
         QTest::newRow("ringlets") << QByteArray("ringlets") << -0.05F << 0.008;

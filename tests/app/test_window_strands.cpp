@@ -184,7 +184,7 @@ private Q_SLOTS:
             QVERIFY(is->sampleScalar(there) < was->sampleScalar(there));
         session().document().undo();
         QVERIFY(same(before, all()));
-        // Of the maps that the step had changed the one that is shown stays, and the tool leaves to the one before it.
+        // The shown map stays where the step had changed it, and the next tool goes back to the map before.
         if (changed == MapKind::Direction) {
             QCOMPARE(editor().target().map(), MapKind::Direction);
             key(Qt::Key_B);

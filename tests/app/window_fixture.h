@@ -179,7 +179,7 @@ protected:
         QStandardPaths::setTestModeEnabled(true);
         SettingsStore().clear();
         for (const auto& folder : JournalFolder::abandoned(JournalFolder::root()))
-            folder->remove(); // Of windows that tests before left without closing them.
+            folder->remove(); // Former tests left windows open, whose journals are still there.
         // A display can carry the QOpenGLWidget, also where OpenGL is software.
         if (QGuiApplication::platformName() == QLatin1String("xcb")) {
             view::Preferences preferences;

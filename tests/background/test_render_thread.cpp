@@ -27,7 +27,7 @@ private:
 #endif
     static constexpr int kHairs = 12'000;
 
-    /// Of hair that takes long to be drawn finely.
+    /// A still picture of hair that takes long to draw.
     static view::Shot stillShot()
     {
         sim::Simulation simulation;

@@ -46,7 +46,7 @@ void drawWith(benchmark::State& state, rendering::Backend& backend)
         backend.draw(scene, quality, width, height);
         backend.read(pixels);
     }
-    // Of all threads, for one frame: other programs disturb it less.
+    // Processor time of all threads for one frame, which other programs disturb less than real time.
     state.counters["cpu_ms"] =
         1e3 * static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC / static_cast<double>(state.iterations());
     state.counters["hairs"] = static_cast<double>(backend.statistics().drawnHairs);

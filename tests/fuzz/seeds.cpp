@@ -222,7 +222,7 @@ int main(int argc, char** argv)
                 QByteArray(1, '\0') + QByteArray("\x01\x10\x20\x30\x00\x00\x10\x08\x08", 9).repeated(6));
     seeds.write("import", "image", QByteArray("\x01\x04\x04\x02\x00\x00", 6) + QByteArray(96, '\x33'));
 
-    QByteArray options; // Of every tool, each beyond what it can be.
+    QByteArray options; // The options of every tool, each beyond its range.
     for (const auto& tool : model::makeTools())
         for (const model::ToolOption* option : tool->options())
             options += QByteArray(", \"tools/") + option->key + "\": 1e9";

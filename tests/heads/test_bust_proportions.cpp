@@ -19,7 +19,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr double kTolerance = 0.05;
-constexpr double kSeamsEnd = 0.25; ///< Of its greatest hollow.
+constexpr double kSeamsEnd = 0.25; ///< Fraction of the greatest hollow above which a point is on the seam.
 
 } // namespace
 

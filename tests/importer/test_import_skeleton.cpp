@@ -19,9 +19,9 @@ using test::withJson;
 
 namespace {
 
-constexpr int kFirstJoint = 1; // Of a head.glb's nodes.
+constexpr int kFirstJoint = 1; // Index of the first joint among a head.glb's nodes.
 
-/// Where no joint stands as the mannequin's, its name.
+/// The name of a joint of the mannequin that is missing or misplaced, and how; empty where all are right.
 QString strayJoint(const HeadSkeleton& skeleton, float scale = 1.0F)
 {
     const std::vector<JointPose> poses = posesOf(skeleton);

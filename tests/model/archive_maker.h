@@ -37,10 +37,10 @@ inline void append32(QByteArray& out, quint32 value)
 struct ZipEntry
 {
     QByteArray name;
-    QByteArray bytes; ///< As packed.
+    QByteArray bytes; ///< The packed content.
     int method = 0;   ///< 0 stored, 8 deflated.
-    quint32 size = 0; ///< Claimed; 0 takes that of `bytes`.
-    quint32 crc = 0;  ///< Of what is packed; 0 takes that of `bytes`.
+    quint32 size = 0; ///< Size of the unpacked content as the headers claim it; 0 takes that of `bytes`.
+    quint32 crc = 0;  ///< CRC-32 of the unpacked content as the headers claim it; 0 takes that of `bytes`.
     int flags = 0;
 };
 
@@ -135,7 +135,7 @@ struct EntrySpan
     qsizetype end = 0;
 };
 
-/// In their order; of archives whose entries tell their sizes ahead of them.
+/// Spans of all entries in their order, for archives with the sizes in the local headers.
 inline std::vector<EntrySpan> spansOf(const QByteArray& bytes)
 {
     std::vector<EntrySpan> spans;

@@ -18,10 +18,10 @@ inline constexpr int kMostFaults = 2000; ///< More than anything that is tried a
 
 inline constexpr int kFewestFaults = 2; ///< Else nothing was tried.
 
-/// Names and bytes.
+/// The bytes of files by name; a folder's name ends with '/' and has no bytes.
 using FolderContent = QMap<QString, QByteArray>;
 
-/// Of its files, and the names of its folders.
+/// The files of a folder, and the names of its subfolders.
 inline FolderContent contentOf(const QString& folder)
 {
     FolderContent content;
@@ -32,7 +32,7 @@ inline FolderContent contentOf(const QString& folder)
     return content;
 }
 
-/// The folder holds that and nothing else.
+/// Makes the folder hold `content` and nothing else.
 inline void putBack(const QString& folder, const FolderContent& content)
 {
     for (const QString& name : QDir(folder).entryList(QDir::Files | QDir::Hidden))
@@ -43,7 +43,7 @@ inline void putBack(const QString& folder, const FolderContent& content)
         writeBytes(folder + QLatin1Char('/') + name, bytes);
 }
 
-/// `judge` says each time what is wrong. Empty where nothing was, and where there were faults.
+/// `judge` returns what is wrong after each run. Empty where nothing was wrong and faults did happen.
 template<typename Fault, typename... Options>
 QString underEachFault(const std::function<bool()>& work, const std::function<QString(bool done)>& judge,
                        Options... options)
@@ -97,7 +97,7 @@ public:
                 return QStringLiteral("done %1, and the folder holds %2")
                     .arg(done)
                     .arg(QStringList(now.keys()).join(QLatin1Char(' ')));
-            // Of several files the one that failed is named.
+            // Where there are several files, the sentence names the one that failed.
             return done || isOneSentenceNaming(message, path()) ? QString() : message;
         };
         return underEachFault<Fault>(isDone, judge, options...);

@@ -32,7 +32,7 @@ inline sim::GroomInput::Group hairGroup(int id, std::uint16_t density, std::uint
     return input;
 }
 
-/// The rest shape.
+/// A frame of hair in its rest shape.
 inline std::shared_ptr<const sim::StrandFrame> frameOf(std::vector<sim::GroomInput::Group> groups)
 {
     sim::GroomInput input;
@@ -56,7 +56,7 @@ inline model::CurveOptions allOf(const sim::StrandFrame& frame)
     return options;
 }
 
-/// In the format that the name's ending tells.
+/// Exports in the format for the ending of `path`.
 inline model::Result<void> exported(const std::shared_ptr<const sim::StrandFrame>& frame, const QString& path,
                                     const model::Progress& progress = {}, const char* target = "any")
 {
@@ -67,7 +67,7 @@ inline model::Result<void> exported(const std::shared_ptr<const sim::StrandFrame
                              path, progress);
 }
 
-/// Of a body that stands beside the hair.
+/// An avatar whose body stands beside the hair.
 inline std::shared_ptr<const model::Avatar> mannequinAvatar(float droop = 0.0F)
 {
     model::RiggedMesh body = makeMannequin(droop);
@@ -83,7 +83,7 @@ inline std::shared_ptr<const model::Avatar> mannequinAvatar(float droop = 0.0F)
 /// Smaller than the window offers, so that cards are soon there.
 inline constexpr int kTinyAtlasPx = 256;
 
-/// In that format.
+/// Exports in that format.
 inline model::Result<void> exportedAs(const model::ExportFormat& format,
                                       const std::shared_ptr<const sim::StrandFrame>& frame, const QString& path,
                                       const model::Progress& progress = {})

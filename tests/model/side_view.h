@@ -18,7 +18,7 @@ struct LiveHair
 {
     sim::Simulation simulation = {};
 
-    /// Once it has settled.
+    /// A frame of the hair once it has settled.
     [[nodiscard]] std::shared_ptr<const sim::StrandFrame> settled(const sim::GroomInput& input, double seconds = 3.0)
     {
         simulation.setInput(input);
@@ -29,7 +29,7 @@ struct LiveHair
     }
 };
 
-/// Byte for byte.
+/// Whether both styles are equal, byte for byte.
 inline bool isSame(const sim::StrandStyle& a, const sim::StrandStyle& b)
 {
     return std::ranges::equal(std::as_bytes(std::span(&a, 1)), std::as_bytes(std::span(&b, 1)));
@@ -47,7 +47,7 @@ inline std::vector<glm::vec3> drawnPoints(const sim::GroupFrame& hair, std::uint
     return points;
 }
 
-/// Of the first group: z to the left, y up, 2 px a mm; strands with roots of x < 0 are on the far side.
+/// A view of the first group: z to the left, y up, 2 px a mm; strands with roots of x < 0 are on the far side.
 class SideView : public model::SeenHair
 {
 public:

@@ -250,7 +250,7 @@ private Q_SLOTS:
             const HeadVertexOut& vertex = body.mesh.vertices[i];
             reach = std::max(reach, vertex.position.x);
             QVERIFY(std::abs(glm::length(vertex.normal) - 1.0F) < 1e-4F);
-            const std::size_t other = i ^ 1U; // Of the same box, where it is of one.
+            const std::size_t other = i ^ 1U; // A neighbour in the same box, if the vertex is one of a box's.
             if (other < own.size() && avatar->skeleton.weights[i] == avatar->skeleton.weights[other])
                 QVERIFY(std::abs(glm::distance(vertex.position, body.mesh.vertices[other].position) -
                                  glm::distance(own[i], own[other])) < 1e-4F);

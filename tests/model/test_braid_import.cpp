@@ -23,10 +23,10 @@ constexpr float kLengthM = 0.2F;
 constexpr float kRadiusM = 0.007F;
 constexpr float kSpacingM = 0.08F;
 constexpr float kDensityPerM2 = 50'000.0F; ///< With more hairs the maps are of 512 texels a side.
-constexpr float kHairWidthM = 1.2e-4F;     ///< So thick that so many fill a plait of that radius.
+constexpr float kHairWidthM = 1.2e-4F;     ///< Thick enough that these hairs fill a plait of kRadiusM.
 constexpr std::uint16_t kAll = 65535;
 
-/// Of texels, by sim::BraidKind.
+/// Numbers of texels, by sim::BraidKind.
 using KindCounts = std::array<int, static_cast<std::size_t>(sim::kLastBraidKind) + 1>;
 
 } // namespace
@@ -37,7 +37,7 @@ class TestBraidImport : public QObject
 private:
     QTemporaryDir m_folder;
 
-    /// What comes back; none where it does not.
+    /// The group as it comes back from an export; none where it does not come back.
     [[nodiscard]] std::optional<HairGroup> back(const sim::GroomInput::Group& group) const
     {
         const auto head = test::headOf(test::makeBallHead(), false);

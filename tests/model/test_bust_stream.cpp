@@ -83,7 +83,7 @@ private Q_SLOTS:
     /// Whoever changes how hair grows bakes the bust's stream anew.
     void theBakedStreamIsWhatIsComputed()
     {
-        constexpr int kUnits = 16; // Of 65535, for what rounding leaves.
+        constexpr int kUnits = 16; // The tolerance for rounding, of 65535.
         const std::shared_ptr<const model::Head> bust = *model::builtInHead(QStringLiteral("bust-2"));
         const auto computed = sim::streamRaster(*bust->skin, sim::naturalStream(*bust->skin, bust->landmarks));
         const sim::TiledRaster& baked = *bust->naturalDirection;

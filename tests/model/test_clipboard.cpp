@@ -152,7 +152,7 @@ void TestClipboard::fillingCoversTheSelectedTexelsOnly()
     QCOMPARE(fillCommand(document, length, selection, value, QString()), nullptr); // It is so already.
     selection.setRectangle(std::nullopt);
     document.push(fillCommand(document, length, selection, value, QString()));
-    QCOMPARE(rasterOf(document, MapKind::Length).byteCount(), 0U); // Of whole tiles one texel is kept.
+    QCOMPARE(rasterOf(document, MapKind::Length).byteCount(), 0U); // Tiles of one value keep only that value.
 }
 
 void TestClipboard::pastingBetweenMapsConverts_data()

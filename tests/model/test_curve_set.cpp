@@ -149,7 +149,7 @@ private Q_SLOTS:
         for (const Curve& curve : few->curves()) {
             QCOMPARE(curve.points, std::uint32_t{3});
             const float begins = few->fraction(curve, 1);
-            QVERIFY(begins > 0.8F && begins <= 0.9F); // Of 20 cm.
+            QVERIFY(begins > 0.8F && begins <= 0.9F); // The taper of hair of 20 cm.
             QCOMPARE(few->width(curve, begins), few->width(curve, 0.0F));
             QVERIFY(few->width(curve, 1.0F) < 0.4F * few->width(curve, 0.0F));
         }

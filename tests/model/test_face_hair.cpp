@@ -15,7 +15,7 @@ using namespace hairpaint::model;
 
 namespace {
 
-/// Of a layer's first value at the skin nearest to a position, 0..1.
+/// The first value, 0..1, of the map's lowest layer at the skin nearest to a position; 0 where nothing is painted.
 float valueAt(const HairGroup& group, MapKind map, const Head& head, const glm::vec3& positionHd)
 {
     const sim::TiledRaster& raster = group.map(map).layers.front().raster;

@@ -50,7 +50,7 @@ class TestFaults : public QObject
 private:
     std::unique_ptr<QTemporaryDir> m_folder;
     QString m_path;
-    QString m_message; ///< Of the last failure.
+    QString m_message; ///< Message of the last failure; empty after a success.
 
     template<typename T>
     [[nodiscard]] bool noted(const Result<T>& result)

@@ -223,7 +223,7 @@ private Q_SLOTS:
 
     void noLevelHasMoreThanHalfOfWhatTheOneBeforeHas()
     {
-        // Of curls, few numbers of triangles come near the budget.
+        // With curls, few levels come near the budget of triangles.
         for (const std::uint16_t curl : std::array<std::uint16_t, 3>{15'000, 30'000, 45'000}) {
             const CurveSet& set = denseCurves(curl);
             const HairCards cards = cardsOf(set, {.triangles = 3'000, .atlasPx = 1024, .levels = 4});
@@ -296,7 +296,7 @@ private Q_SLOTS:
     {
         const HairCards& cards = straightCards();
         const int size = cards.images.size();
-        // Of the whole atlas, as graphics cards make its levels.
+        // The coverage of the whole atlas, whose smaller levels graphics cards make the same way.
         const auto covered = [&](int level) {
             return static_cast<double>(alphaCoverage(cards.images.alpha(), size, {0, 0, size, size}, level));
         };

@@ -64,7 +64,7 @@ private:
         studio.tool(tool).commit(context);
     }
 
-    /// Of the whole project and its groups.
+    /// Pushes an edit of the project or a group by chance.
     static void changeScene(Document& document, std::mt19937& random)
     {
         const Project& project = document.committed();

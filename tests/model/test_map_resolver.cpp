@@ -205,7 +205,7 @@ private Q_SLOTS:
         QCOMPARE(document.resolved(group, MapKind::Colour), map);
         QVERIFY(showsItsContent(document));
         setOpacity(document, 0.75F);
-        m_bench.work(); // Of the first, which comes too late to be of use.
+        m_bench.work(); // The work for 0.5 ends, too late to be of use.
         QVERIFY(document.resolving());
         m_bench.work();
         QVERIFY(showsItsContent(document));

@@ -127,7 +127,7 @@ private Q_SLOTS:
             OwnLock other(folder, name);
             QCOMPARE(other.take(), OwnLock::State::Held);
             QVERIFY(other.isHeld());
-            QLockFile earlier(folder.pathOf(name)); // Of an earlier version of the program.
+            QLockFile earlier(folder.pathOf(name)); // The lock of an earlier version of the program.
             earlier.setStaleLockTime(0);
             QVERIFY(!earlier.tryLock(0));
             one.release();
@@ -140,7 +140,7 @@ private Q_SLOTS:
             OwnLock other(folder, name);
             QCOMPARE(other.take(), OwnLock::State::Held);
         }
-        // Of a process that is gone, whose number another one has got.
+        // The lock of a process that is gone, whose number another process has now.
         writeBytes(folder.pathOf(name), QByteArray::number(::getpid()) + "\ntest_model\n");
         OwnLock lock(folder, name);
         QCOMPARE(lock.take(), OwnLock::State::Taken);

@@ -203,7 +203,7 @@ private Q_SLOTS:
         QVERIFY(part.key(Qt::Key_Backspace));
         QCOMPARE(part.handles().size(), qsizetype{1});
         QVERIFY(sameProjects(part.document.project(), before));
-        part.document.undo(); // Of the Backspace.
+        part.document.undo(); // Undoes the Backspace.
         QCOMPARE(part.handles().size(), qsizetype{2});
         part.document.undo();
         part.document.undo();

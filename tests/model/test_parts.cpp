@@ -191,7 +191,7 @@ private Q_SLOTS:
         QCOMPARE(head->mesh.triangles.size(), halves(true).triangles.size());
         for (const glm::vec2& uv : head->mesh.uvs)
             QVERIFY(uv.x >= 0.0F && uv.x <= 1.0F && uv.y >= 0.0F && uv.y <= 1.0F);
-        // Of a character it is the head's alone.
+        // A character's head alone is laid out anew; the other parts stay.
         RiggedMesh character = chosenCharacter();
         const Checked<ChosenHead> ofParts = headOfParts(character, true);
         QVERIFY(ofParts && partsFit(ofParts->mesh));

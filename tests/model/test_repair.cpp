@@ -38,7 +38,8 @@ bool isCutFromBelow(const sim::TiledRaster& left, const sim::TiledRaster& was, c
     return true;
 }
 
-/// Of that map: where the settings are cut off, the ids beyond are given anew, also to layers of other maps.
+/// The layer with that id in a map of that kind. Ids alone do not tell it: where the settings are cut off, the ids
+/// beyond are given anew, also to layers of other maps.
 const Layer* layerOf(const Project& project, MapKind kind, Id id)
 {
     for (const HairGroup& group : project.groups)

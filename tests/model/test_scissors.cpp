@@ -152,7 +152,7 @@ private Q_SLOTS:
             exact += std::abs(longerM) < 0.005F ? 1 : 0;
         }
         QVERIFY2(exact > static_cast<int>(crossed.size()) / 2, qPrintable(QString::number(exact)));
-        // Of more than a thousand beside, few become so much shorter that it is seen.
+        // Among more than a thousand uncut hairs, few become visibly shorter.
         const Slots cut = slotsOf(crossed);
         const auto positioned = barber.positioned();
         const auto shorter = std::ranges::count_if(positioned, [&](std::uint32_t slot) {

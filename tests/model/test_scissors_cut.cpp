@@ -27,7 +27,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("style");
         QTest::addColumn<float>("levelM");
-        QTest::addColumn<double>("mostEndsM"); ///< Of how far the ends lie from their median, what most keep to.
+        QTest::addColumn<double>("mostEndsM"); ///< The distance from their median that most ends stay within.
         QTest::newRow("straight") << QStringLiteral("Long straight") << -0.09F << 0.005;
         QTest::newRow("waved") << QStringLiteral("Bob") << -0.02F << 0.005;
         QTest::newRow("ringlets") << QStringLiteral("Ringlets") << -0.05F << 0.008;

@@ -46,7 +46,7 @@ private Q_SLOTS:
         model::applyPreset(project, *straight, {.part = model::StylePart::Ties});
         QCOMPARE(wornInHair(project), std::ptrdiff_t{0});
         QVERIFY(shown(project, MapKind::Braid) == shown(before, MapKind::Braid));
-        // Of another part nothing that is worn is taken.
+        // Taking another part of the style takes nothing that is worn.
         model::applyPreset(project, plaits, {.part = model::StylePart::Cut});
         QCOMPARE(wornInHair(project), std::ptrdiff_t{0});
         QVERIFY(shown(project, MapKind::Length) ==

@@ -262,7 +262,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<int>("groups");
-        QTest::addColumn<float>("x"); // Of the first strand's root.
+        QTest::addColumn<float>("x"); // The x of the first strand's root.
         const auto prim = [](const QByteArray& metadata, const QByteArray& inside = "") {
             return "#usda 1.0\n(\n metersPerUnit = 1\n)\ndef Xform \"Ann\" (\n " + metadata + "\n) {\n" + inside +
                    "\n}\n";

@@ -130,7 +130,7 @@ private Q_SLOTS:
 
     void aTilesImageLiesWhereItsLayoutWas()
     {
-        // Of tile 1002, the second cell of four, whose upper left is painted.
+        // An image of tile 1002, the second of four cells; its upper quarter is painted.
         MapSource source{.images = {}, .cells = {1}, .tiles = UvTiles({1001, 1002, 1011}), .leftOut = {}};
         ForeignImage image{.width = 256, .height = 256, .channels = 1, .pixels = {}};
         image.pixels.resize(std::size_t{256} * 256);

@@ -18,13 +18,13 @@ using namespace hairpaint::rendering;
 namespace {
 
 constexpr int kNodes = 8;
-constexpr float kToleranceSp = 0.2F; ///< Of stills, which have two samples across a pixel.
-constexpr float kSeenSp = 0.5F;      ///< Nobody sees less.
+constexpr float kToleranceSp = 0.2F; ///< Tolerance of still pictures, samples; they have two samples across a pixel.
+constexpr float kSeenSp = 0.5F;      ///< Least deviation that is visible, samples.
 
 /// What makes a strand round, in its first lane; the others hold nothing.
 struct RoundStrand
 {
-    float bendRad = 0.0F; ///< From root to tip.
+    float bendRad = 0.0F; ///< Angle of the bend from root to tip.
     float turns = 0.0F;
     float curlRadiusM = 0.0F;
     sim::BraidKind braid = sim::BraidKind::None;
@@ -96,7 +96,7 @@ StrandView viewFrom(float distanceM, float toleranceSp)
             .lighting = {}};
 }
 
-/// Of the first lane, samples.
+/// The drawn points of the first lane, samples.
 std::vector<glm::vec2> drawn(const StrandView& view, const RoundStrand& strand)
 {
     const StrandBlock block = blockOf(strand);

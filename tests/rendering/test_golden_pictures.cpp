@@ -20,8 +20,9 @@ namespace {
 constexpr int kWidth = 160;
 constexpr int kHeight = 160;
 // Drivers round differently and spread single samples of thin hair otherwise; a look is more than that.
-constexpr double kMeanTolerance = 2.0;    ///< Of 255, over all pixels and channels.
-constexpr double kOutlierFraction = 0.02; ///< Of the pixels may differ by more than kOutlier in some channel.
+constexpr double kMeanTolerance = 2.0; ///< Limit on the mean difference over all pixels and channels, of 255.
+/// Limit on the fraction of pixels that differ by more than kOutlier in some channel.
+constexpr double kOutlierFraction = 0.02;
 constexpr int kOutlier = 48;
 
 QImage imageOf(const Picture& picture)

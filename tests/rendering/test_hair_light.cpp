@@ -16,7 +16,7 @@ namespace simd = hairpaint::rendering::HWY_NAMESPACE;
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kIndex = 1.55; ///< Of refraction.
+constexpr double kIndex = 1.55; ///< Index of refraction.
 
 struct Directions
 {
@@ -185,7 +185,8 @@ private Q_SLOTS:
         double weights = 0.0;
         for (int degrees = -85; degrees <= 85; degrees += 10) {
             const double theta = degrees * kPi / 180.0;
-            const double seen = std::cos(theta) * std::cos(theta); // Of the fibre, and of the sphere of directions.
+            // Weight: how much of the fibre is seen, times how much of the sphere is at theta.
+            const double seen = std::cos(theta) * std::cos(theta);
             const double light = furnace(theta, roughness);
             // Where the fibre is seen slantingly, the tilt of wide lobes leaves some beyond its ends.
             if (std::abs(degrees) <= 45)
@@ -250,7 +251,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Of all normals across the line the best one, found by trying.
+    /// The best of all normals across the line is found by trying.
     void anIlluminatedLineShowsItsBestNormals()
     {
         RandomNumbers random;

@@ -19,7 +19,7 @@ constexpr int kLookWidth = 200;
 constexpr int kLookHeight = 150;
 constexpr std::uint32_t kLookGrey = 0xFFC0C0C0U;
 
-/// Of how far channels lie above black, over columns and rows.
+/// The sum of all channels in columns x0 .. x1 - 1 and rows y0 .. y1 - 1.
 double lightOver(const Picture& picture, int x0, int y0, int x1, int y1)
 {
     double sum = 0.0;

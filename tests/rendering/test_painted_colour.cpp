@@ -187,7 +187,7 @@ private Q_SLOTS:
             said += QStringLiteral(" %1").arg(lightness, 0, 'f', 1);
         QVERIFY2(std::abs(seen.mean.lightness - wanted.lightness) < 7.0, qPrintable(said));
         QVERIFY2(seen.darkest < wanted.lightness && seen.lightest > wanted.lightness, qPrintable(said));
-        constexpr double kGrey = 5.0; // Of less chroma no hue is seen.
+        constexpr double kGrey = 5.0; // Chroma below which no hue is seen.
         if (wanted.chroma() < kGrey) {
             QVERIFY2(seen.mean.chroma() < kGrey, qPrintable(said));
             return;

@@ -38,7 +38,7 @@ bool isRed(glm::ivec3 pixel)
     return pixel.x > pixel.y + 30 && pixel.x > pixel.z + 30;
 }
 
-/// Of a point in the plane through the origin that faces the eye.
+/// The pixel of a point in the plane through the origin that faces the eye.
 glm::ivec3 pixelAt(const Picture& picture, float xM, float yM)
 {
     return picture.at(kWidth / 2 + static_cast<int>(std::lround(xM / kPixelM)),

@@ -42,8 +42,8 @@ private Q_SLOTS:
     {
         QFETCH(bool, hasShoulders);
         auto mesh = std::make_shared<sim::HeadMesh>();
-        addSquare(*mesh, {0.08F, 0.08F});  // Of the head,
-        addSquare(*mesh, {0.08F, -0.08F}); // and of a shoulder: both on the same side.
+        addSquare(*mesh, {0.08F, 0.08F});  // A square of the head.
+        addSquare(*mesh, {0.08F, -0.08F}); // One of a shoulder, on the same side.
         Scene scene = emptyScene();
         const Picture nothing = draw(scene);
         scene.head = mesh;

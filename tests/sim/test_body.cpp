@@ -99,7 +99,7 @@ GroomInput coatedBall(float body)
     return input;
 }
 
-/// Of the hair on the upper half of the ball, what three quarters of it lie below, m.
+/// Height over the skin below which three quarters of the nodes on the ball's upper half lie, m.
 float coatThickness(const Simulation& simulation)
 {
     StrandFrame frame;

@@ -197,7 +197,8 @@ void TestBraids::wispsAndTheirRootsAreSpreadEvenly()
     for (const int count : wisps)
         QVERIFY(std::abs(count - 6667) < 300);
     QVERIFY(glm::length(mean) < 0.03F);
-    QVERIFY(std::abs(meanSquare - 0.61F) < 0.04F); // Of that disc filled about evenly: wisps are made of strands.
+    // An evenly filled disc of that radius has about this; wisps are made of strands.
+    QVERIFY(std::abs(meanSquare - 0.61F) < 0.04F);
 }
 
 void TestBraids::paintingElsewhereLeavesABraidAlone()

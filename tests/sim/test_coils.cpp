@@ -38,11 +38,11 @@ StrandStyle coiled(const CurlSettings& curl, float lengthM, float phase, float c
 /// What the points of a hair along z from the origin tell of its curl, as one would measure an export.
 struct Measured
 {
-    float diameterM = 0.0F; ///< Of the middle half.
+    float diameterM = 0.0F; ///< Diameter in the middle half of the hair.
     float pitchM = 0.0F;
     float seenOverCut = 1.0F;
     float switchbacksPerM = 0.0F;
-    float skips = 0.0F; ///< Of its turns.
+    float skips = 0.0F; ///< Fraction of the turns that are skipped.
 };
 
 Measured measured(const StrandStyle& style, const CurlSettings& curl)
@@ -243,7 +243,7 @@ private Q_SLOTS:
             }
             return round / kFullTurnRad;
         };
-        // Of ten turns in all, by the integral of 0.7 + 0.6 s.
+        // There are ten turns in all, and their density is 0.7 + 0.6 s.
         QVERIFY(std::abs(turnsOver(0.1F, 0.5F) - 3.52F) < 0.1F);
         QVERIFY(std::abs(turnsOver(0.5F, 1.0F) - 5.75F) < 0.1F);
         QVERIFY(glm::length(coilOffset(style, curl, 0.95F)) > 1.3F * glm::length(coilOffset(style, curl, 0.2F)));

@@ -1,5 +1,5 @@
-// Of the hairs that are there, an even subset can be kept: exact in number, alike everywhere, smaller ones within
-// larger.
+// Tests that an even subset of the hairs has the exact number, is equally dense everywhere, and that smaller subsets
+// lie within larger ones.
 #include "sim/groom/even_subset.h"
 #include "tests/support/test_grooms.h"
 #include "tests/support/test_heads.h"

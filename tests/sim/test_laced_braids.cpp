@@ -76,7 +76,7 @@ float deepestM(const Simulation& simulation, float& alongM)
     return tied::kBallM - least;
 }
 
-/// Of a straight braid, each as so many segments.
+/// The wisps of a straight braid, each with that number of segments.
 std::vector<std::vector<glm::vec3>> wispsOf(BraidKind kind, int segments)
 {
     std::vector<std::vector<glm::vec3>> wisps(static_cast<std::size_t>(lacingOf(kind).wisps));
@@ -108,7 +108,8 @@ private Q_SLOTS:
 void TestLacedBraids::wispsTouchAndAreNotInEachOther_data()
 {
     QTest::addColumn<int>("kind");
-    QTest::addColumn<float>("furthest"); // Of the nearest wisp anywhere, in its radii added to this one's.
+    // Greatest distance to the nearest wisp anywhere, in units of both radii together.
+    QTest::addColumn<float>("furthest");
     QTest::newRow("plait") << static_cast<int>(BraidKind::Plait) << 1.2F;
     QTest::newRow("twist") << static_cast<int>(BraidKind::Twist) << 1.2F;
     // Where a wisp turns at the edge of a flat plait, none crosses it.
@@ -293,7 +294,7 @@ void TestLacedBraids::oneSeesNotThroughItsBeginning_data()
 void TestLacedBraids::oneSeesNotThroughItsBeginning()
 {
     QFETCH(int, kind);
-    constexpr float kGap = 0.06F; // Of the braid's radius.
+    constexpr float kGap = 0.06F; // Widest gap, as a fraction of the braid's radius.
     std::vector<glm::vec2> hairs;
     std::vector<glm::vec3> points;
     for (std::uint32_t rank = 0; rank < 3000; ++rank) {
@@ -321,7 +322,7 @@ void TestLacedBraids::oneSeesNotThroughItsBeginning()
 /// Strands are seen in it, but nothing through it.
 void TestLacedBraids::hairsFillTheirWisp()
 {
-    constexpr float kEmpty = 0.15F; // Of the wisp's radius, the largest empty disc's.
+    constexpr float kEmpty = 0.15F; // Radius of the largest empty disc, as a fraction of the wisp's.
     std::vector<glm::vec2> hairs;
     for (std::uint32_t rank = 0; rank < 6000; ++rank) {
         StrandStyle style;

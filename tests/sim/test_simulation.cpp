@@ -299,8 +299,8 @@ void TestSimulation::inputThatDiffersElsewhereLeavesHairAsleep()
 
 void TestSimulation::longHairAtTheEdgeOfACutHangs()
 {
-    /// Of the hair that stays long on the upper half: how far from the ball's axis its tips are, and how far above
-    /// their roots at most; m.
+    /// Over the hair that stays long on the upper half: the greatest distance of a tip from the ball's axis, and the
+    /// greatest height of a tip over its root; m.
     const auto reachOf = [](bool cut) {
         GroomInput input = paintedBall(6000, 500);
         if (cut) // A band of stubble, along whose edges the nearest basis hairs are short.
@@ -408,7 +408,7 @@ void TestSimulation::aTurnOfTheHeadSwingsTheHair()
 
 void TestSimulation::strandsStayOutsideTheSkinWithoutAnEllipsoid()
 {
-    /// Of nodes and middles of segments, m.
+    /// The greatest depth of nodes and middles of segments in the ball, m.
     const auto deepest = [](bool withSkin) {
         GroomInput input = paintedBall(2000, 400);
         input.colliders.clear();

@@ -25,9 +25,9 @@ struct Amount
     const char* name;
     float VariationSettings::*setting;
     float amount;
-    std::function<double(const HairVariation&)> deviation; ///< 0 where neutral.
-    double most;                                           ///< Of all hairs,
-    double mean;                                           ///< and of their deviations' sizes.
+    std::function<double(const HairVariation&)> deviation; ///< Deviation of a hair; 0 where it does not vary.
+    double most;                                           ///< Greatest deviation over all hairs.
+    double mean;                                           ///< Mean of the deviations' absolute values.
 };
 
 const std::vector<Amount>& amounts()

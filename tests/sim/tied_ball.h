@@ -16,7 +16,7 @@ using namespace hairpaint::sim;
 
 inline constexpr float kBallM = 0.1F;
 inline constexpr float kRingM = 0.008F;
-inline constexpr float kStandsM = 0.01F; ///< The ring, off the skin.
+inline constexpr float kStandsM = 0.01F; ///< Height of the ring over the skin.
 
 inline Tie tieAt(std::uint16_t number, glm::vec3 direction, glm::vec3 through = {0.0F, 0.3F, -1.0F})
 {
@@ -86,7 +86,7 @@ inline float lengthOfLine(std::span<const glm::vec3> points)
     return length;
 }
 
-/// Of a string over a ball to a point above it: along a great circle, then straight.
+/// Length of a taut string over the ball to a point above it, m: along a great circle, then straight.
 inline float tautOverBall(glm::vec3 root, glm::vec3 end)
 {
     const float angle = std::acos(std::clamp(glm::dot(glm::normalize(root), glm::normalize(end)), -1.0F, 1.0F));

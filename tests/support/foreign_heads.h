@@ -14,7 +14,7 @@ namespace hairpaint::test {
 struct ForeignHead
 {
     sim::HeadMesh mesh;
-    std::function<glm::vec3(const glm::vec3&)> moved; ///< Of the built-in head's to this one's.
+    std::function<glm::vec3(const glm::vec3&)> moved; ///< From a point of the built-in head to that of this one.
 };
 
 /// Its two halves as islands apart, smaller, one of them on its side: nothing lies where it did.

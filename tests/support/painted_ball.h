@@ -21,7 +21,7 @@ inline sim::GroomInput paintedBall(int hairs, int basisHairs)
     const auto skin = std::make_shared<const sim::Skin>(makeBallHead());
     input.skin = skin;
     input.colliders.push_back({glm::vec3(0.0F), glm::vec3(0.1F), glm::quat(1.0F, 0.0F, 0.0F, 0.0F)});
-    static const auto distances = sim::DistanceGrid::make(skin->mesh()); // Of every such ball.
+    static const auto distances = sim::DistanceGrid::make(skin->mesh()); // Every such ball has these.
     input.distances = distances;
     sim::GroomInput::Group group;
     group.id = 1;

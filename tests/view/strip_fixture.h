@@ -26,7 +26,7 @@ inline void paint(model::HairGroup& group, model::MapKind kind, std::uint16_t va
     raster.setTexel(100, 100, texel);
 }
 
-/// Of these groups; each differs in every part.
+/// A style with these groups, each changed in every part of a style.
 inline model::Preset makePreset(const QString& name, const QStringList& groups, std::uint16_t value)
 {
     model::Project project;
@@ -59,7 +59,7 @@ inline model::Result<model::Preset> load(const QString& path)
     return makePreset(path, groups, path == QStringLiteral("bob") ? 40000 : 60000);
 }
 
-/// Later, on this thread: the strip is not told before it has asked.
+/// Reads later on this thread, so that the strip never gets the answer within its own call.
 inline void startLater(const QString& /*doing*/, const std::function<model::Result<model::Preset>()>& read,
                        QObject* receiver, const std::function<void(model::Result<model::Preset>)>& done)
 {
@@ -112,7 +112,7 @@ struct StripFixture : PanelFixture
             names.append(one.name);
         return names;
     }
-    /// As a user's stroke on it.
+    /// Paints on a group's map as a user's stroke does.
     void paintOn(model::Id id, model::MapKind kind, std::uint16_t value)
     {
         model::HairGroup changed = *document.committed().group(id);

@@ -335,7 +335,7 @@ private:
         return *qobject_cast<QOpenGLWidget*>(&p.presenter.widget());
     }
 
-    model::Project m_project; ///< Of the hairy ball.
+    model::Project m_project; ///< Project of the hairy ball.
     view::Shot m_hairy;       ///< The ball with hair all over, too much for a moving picture.
     std::unique_ptr<test::Editor> m_editor;
     std::unique_ptr<QMainWindow> m_window;

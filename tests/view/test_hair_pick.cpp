@@ -50,7 +50,7 @@ struct HairyBall : HeadFixture
     }
 
     std::shared_ptr<sim::StrandFrame> standing;
-    int steps = 0; ///< Of the history, before anything is grabbed.
+    int steps = 0; ///< Number of steps of the history before anything is grabbed.
 };
 
 } // namespace

@@ -47,7 +47,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(drawn, frame->hairCount, kPatienceMs);
     }
 
-    /// Of moving hair a frame holds what is drawn; the finest picture shows the rest as soon as it comes.
+    /// While hair moves, a frame holds only the hairs that are drawn; the finest picture shows the rest once they come.
     void hairThatAStillPictureLacksIsShownWhenItComes()
     {
         HeadFixture f;

@@ -107,7 +107,7 @@ private Q_SLOTS:
         QCOMPARE(dialog.picturePx(), QSize(1920, 1080));
         type(sideAt(dialog, 0), QStringLiteral("960"), Qt::Key_Tab);
         QCOMPARE(dialog.picturePx(), QSize(960, 540));
-        QCOMPARE(sizes.currentIndex(), sizes.count() - 1); // Of one's own.
+        QCOMPARE(sizes.currentIndex(), sizes.count() - 1); // The last entry is a size of the user's own.
         type(sideAt(dialog, 1), QStringLiteral("1080"), Qt::Key_Tab);
         QCOMPARE(dialog.picturePx(), QSize(1920, 1080));
         QVERIFY(sizes.currentText().startsWith(QStringLiteral("1080p")));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kChunks = 8;
 
-/// Of eight nodes a hair, in eight chunks full of hair.
+/// A groom of eight full chunks, with eight nodes a hair.
 std::shared_ptr<sim::Groom> fullGroom()
 {
     auto groom = std::make_shared<sim::Groom>();

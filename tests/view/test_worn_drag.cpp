@@ -196,7 +196,7 @@ private Q_SLOTS:
         const model::Id ball = f.add(model::WornKind::Ball, {.centreHd = centre, .semiAxesM = glm::vec3(0.02F)});
         QTest::mouseClick(&f.area, Qt::LeftButton, {}, f.shown(centre).toPoint());
         QCOMPARE(f.editor.state.options().chosenWorn(), ball);
-        QCOMPARE(overlay->wornOutlines().size(), std::size_t{3}); // Of the chosen one alone.
+        QCOMPARE(overlay->wornOutlines().size(), std::size_t{3}); // Only the chosen thing has outlines.
         const QPoint top = f.shown(centre + 0.02F * kUp).toPoint();
         f.drag(top, top - QPoint(0, 20));
         const sim::Ellipsoid shape = f.editor.document.project().wornThing(ball)->shape;

@@ -141,7 +141,7 @@ private Q_SLOTS:
         QCOMPARE(f.steps(), 1);
         const model::Worn& bun = f.document.project().worn.back();
         QCOMPARE(static_cast<int>(bun.make), 3);
-        QCOMPARE(bun.sheen, 1.0F); // Of metal.
+        QCOMPARE(bun.sheen, 1.0F); // It is of metal now.
         QVERIFY(sceneSolids(f.document.project().worn, nullptr).back().mesh !=
                 sceneSolids(before, nullptr).back().mesh);
         for (const char* label : {"Tightness", "Bun radius", "Tie radius"}) {

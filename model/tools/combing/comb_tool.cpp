@@ -162,7 +162,7 @@ private:
     std::optional<ToolEvent> m_last;       ///< Where the next straight line starts; kept between strokes.
     std::optional<BrushSample> m_previous; ///< The last point that lay on the skin.
     bool m_waits = false;                  ///< That point has no dab yet: its direction is not known.
-    glm::vec2 m_reachUv{0.0F};             ///< Of the dab that is laid.
+    glm::vec2 m_reachUv{0.0F}; ///< The distance of the neighbours that the present dab evens out; see eveningReachUv().
     std::uint16_t m_opacity = 65535;
 };
 

@@ -31,7 +31,7 @@ struct HoldRequest
     {
         LayerAddress address;
         sim::TiledRaster layer;
-        std::vector<sim::TexelRect> clips; ///< What may change.
+        std::vector<sim::TexelRect> clips; ///< Texels that may change.
     };
     Target direction, gel;
     std::shared_ptr<const sim::TiledRaster> shownGel; ///< The resolved map.
@@ -42,7 +42,7 @@ struct HoldRequest
 /// texels a side.
 [[nodiscard]] std::optional<std::vector<LayerEdit>> holdHair(const LyingField& field, const HoldRequest& request,
                                                              const Progress& progress = {});
-/// What undo says of it; to be translated in context "Tool".
+/// Text of the undo step; to be translated in context "Tool".
 inline constexpr const char* kHoldStep = QT_TRANSLATE_NOOP("Tool", "Hold as it lies");
 [[nodiscard]] QString holdStepText();
 

@@ -11,7 +11,7 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr float kHoldSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
+constexpr float kHoldSpacing = 1.0F / 8.0F; ///< Distance between dabs, as a fraction of their diameter.
 constexpr float kHoldLeastStepTx = 0.5F;
 constexpr std::size_t kFurtherHairs = 1000; ///< Looking up so many takes less than a frame.
 

@@ -9,7 +9,7 @@
 
 namespace hairpaint::model {
 
-/// Takes how hair lies when it begins: what it changes moves the hair. One stroke at a time.
+/// Holds hair as it lay when the stroke began, since its changes move the hair. One stroke at a time.
 class HoldStroke
 {
 public:
@@ -25,8 +25,8 @@ private:
     void show(const ToolContext& context);
     void drop();
 
-    LiveEdit m_edit;                  ///< Of the direction layer.
-    std::optional<std::size_t> m_gel; ///< The gel layer's number in it.
+    LiveEdit m_edit;                  ///< Edits the direction layer, then the gel layer.
+    std::optional<std::size_t> m_gel; ///< Index of the gel layer in m_edit; none where it can't be painted on.
     std::optional<LyingField> m_field;
     std::shared_ptr<const sim::TiledRaster> m_shownGel;
     std::optional<StrokeBuffer> m_masks, m_gelMasks;

@@ -14,13 +14,14 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr float kSpacings = 2.0F; ///< Of roots: how far from one its texels may lie.
+constexpr float kSpacings = 2.0F; ///< How far a root's texels may lie from it, in mean spacings of roots.
 constexpr float kLeastReachTx = 2.0F, kMostReachTx = 16.0F;
 
 /// A texel becomes no less than this fraction of what the shortest of the cut hairs that read it asks for, though it
 /// may matter little to them: hair that is planted there later is read from it, too.
 constexpr float kLeastOfWanted = 0.5F;
-constexpr float kMostOfBefore = 1.15F; ///< What a texel may become, so that hair beside the cut keeps its length.
+/// Limit on a texel's value over its former one, so that hair beside the cut keeps its length.
+constexpr float kMostOfBefore = 1.15F;
 
 } // namespace
 
@@ -273,7 +274,7 @@ void CutLengths::correct(bool spares)
     shortenTooLong(reads, beside, perM);
 }
 
-/// Of roots that are not cut and read texels which cuts may change.
+/// The reads of roots that are not cut, at texels which cuts may change.
 std::vector<LengthRead> CutLengths::readsBeside()
 {
     const int last = m_shown->size() - 1;

@@ -9,7 +9,8 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr int kFewestSegments = 8, kMostSegments = 48; ///< Of a whole hair: pieces are seen for half a second.
+/// Range of a whole hair's segments: pieces are seen for half a second.
+constexpr int kFewestSegments = 8, kMostSegments = 48;
 
 } // namespace
 

@@ -18,7 +18,7 @@ struct CutPiece
     std::uint32_t colour = 0; ///< 0xAABBGGRR, sRGB as encoded.
 };
 
-/// Of hair that was cut, of a head that is turned so: at most `most`, spread evenly over them.
+/// The pieces that `cuts` take off, at most `most`, spread evenly over the cuts. `rotation`: the head's, from Hd to Wo.
 [[nodiscard]] std::vector<CutPiece> cutPieces(const sim::GroupFrame& hair, const glm::quat& rotation,
                                               std::span<const StrandCut> cuts, std::size_t most);
 

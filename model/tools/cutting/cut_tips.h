@@ -19,7 +19,7 @@ public:
     /// begin is missing, hidden or locked.
     [[nodiscard]] static std::optional<CutTips> in(LiveEdit& edit, const ToolContext& context);
 
-    /// Instead of the cut before.
+    /// Replaces the former cut.
     void show(LiveEdit& edit, const CutLengths& lengths);
 
 private:
@@ -28,10 +28,10 @@ private:
     using CutTexel = std::function<bool(int x, int y, float kept, std::uint16_t* value)>;
     void show(LiveEdit& edit, std::size_t layer, const CutLengths& lengths, const CutTexel& cut);
 
-    std::size_t m_startLayer = 0; ///< Its number in the edit.
+    std::size_t m_startLayer = 0; ///< Index of the tip start layer in the edit.
     std::optional<std::size_t> m_colourLayer;
     sim::StrandMaterial m_material;
-    sim::MapRaster m_start, m_tip, m_colour; ///< As they were.
+    sim::MapRaster m_start, m_tip, m_colour; ///< The resolved maps before the cut.
     std::vector<std::uint16_t> m_values;
 };
 

@@ -13,7 +13,7 @@ namespace hairpaint::model {
 namespace {
 
 constexpr std::size_t kCurvesAtOnce = 512;
-constexpr float kLeastLengthM = 1e-6F; ///< Of hair that can be cut.
+constexpr float kLeastLengthM = 1e-6F; ///< Least length of hair that can be cut.
 constexpr float kLeastSpan = 1e-4F;
 constexpr float kStubbleM =
     1e-3F; ///< Well below it a fade's lengths differ almost evenly, so that it may end at nothing.

@@ -20,20 +20,20 @@ struct GradedLengths
 {
     glm::vec3 topHd{0.0F};
     glm::vec3 bottomHd{0.0F};
-    float topM = 0.1F;    ///< At the top, m.
-    float bottomM = 0.3F; ///< At the bottom.
-    /// A fade: between their heights, each millimetre down by much the same factor, as clipper guards follow each
-    /// other. Else layers: by the distance from the top, each by the same length.
+    float topM = 0.1F;    ///< Greatest length at the top, m.
+    float bottomM = 0.3F; ///< Greatest length at the bottom, m.
+    /// Whether it is a fade: length changes with height, each millimetre by about the same factor, as clipper guards
+    /// follow each other. Else layers: length changes evenly with the distance from the top.
     bool fades = false;
-    /// 0..1: where on that it begins to change, and where it ends.
+    /// Fractions of the way from top to bottom, 0..1, between which the length changes.
     float from = 0.0F, to = 1.0F;
 
     [[nodiscard]] float lengthM(glm::vec3 rootHd) const;
 };
 
-/// A running cut of a group's drawn hair: each call replaces what the one before showed. The hair is cut as it lay when
-/// this was made; inside the selection, on the length layer that is the target; tip
-/// colours that are cut off are gone. GUI thread.
+/// A running cut of a group's drawn hair: each call replaces what the one before showed. It cuts the hair as it lay
+/// when this was made, inside the selection, on the target's length layer; tip colours that are cut off are gone. GUI
+/// thread.
 class GroupCut
 {
 public:
@@ -42,14 +42,14 @@ public:
 
     /// False where the layer is missing, hidden or locked, or where there is no hair.
     [[nodiscard]] bool active() const { return m_edit.active(); }
-    [[nodiscard]] float longestM() const; ///< Of the hairs, as the map has them.
+    [[nodiscard]] float longestM() const; ///< The longest hair by the map, m.
     [[nodiscard]] float lowestHd();       ///< The height to which drawn hair hangs.
-    /// Where hair stands.
+    /// The lowest and the highest root, Hd.
     [[nodiscard]] std::pair<glm::vec3, glm::vec3> lowestAndHighestRoot() const;
 
-    /// Every hair by as much, but none to less than `leastM`.
+    /// Shortens every hair by `byM`, but none to less than `leastM`.
     void trim(float byM, float leastM);
-    /// Every hair where it first goes below, curls and all.
+    /// Cuts every hair where it first goes below `heightHd`, curls included.
     void toLevel(float heightHd);
     void grade(const GradedLengths& lengths);
 
@@ -57,8 +57,8 @@ public:
     void cancel() { m_edit.cancel(); }
 
 private:
-    /// `keptOf(slot, lengthM)`: the fraction of that length that stays; 1 and more: all. A baby hair's is what the map
-    /// tells.
+    /// `keptOf(slot, lengthM)`: the fraction of that length that stays; 1 or more: all of it. For a baby hair,
+    /// `lengthM` is the map's length.
     void cut(const std::function<float(std::uint32_t slot, float lengthM)>& keptOf);
     [[nodiscard]] const sim::Groom& groom() const { return *m_hair->groom; }
     void measureHeights();
@@ -67,12 +67,12 @@ private:
                       const std::function<void(std::uint32_t, std::span<const glm::vec3>)>& visit) const;
 
     std::shared_ptr<const sim::StrandFrame> m_frame;
-    const sim::GroupFrame* m_hair = nullptr; ///< In the frame.
+    const sim::GroupFrame* m_hair = nullptr; ///< The group's hair in m_frame; null where there is none.
     LiveEdit m_edit;
     std::optional<CutLengths> m_lengths;
     std::optional<CutTips> m_tips;
     std::optional<StrandLengths> m_before;
-    std::vector<float> m_lowestHd; ///< By slot; empty until it is asked for.
+    std::vector<float> m_lowestHd; ///< By slot: the lowest height of the hair; empty until measureHeights() has run.
 };
 
 } // namespace hairpaint::model

@@ -11,13 +11,14 @@ namespace {
 
 constexpr int kSweeps = 16;
 constexpr int kSparingSweeps = 24;
-constexpr float kErrorM = 1e-4F;       ///< Of a hair's length; then the sweeps end.
-constexpr float kTooLongM = 1e-3F;     ///< A hair that is too long by less is not seen to be;
-constexpr float kReleasedM = 5e-3F;    ///< where one would be by more, those beside it become shorter, too,
-constexpr float kOffM = 1e-3F;         ///< and they are off by more than this only where nothing else helps.
-constexpr float kLeastSquares = 1e-3F; ///< Of the weights of texels that may change.
+constexpr float kErrorM = 1e-4F;    ///< Sweeps end once the greatest error of a hair's length is below this.
+constexpr float kTooLongM = 1e-3F;  ///< Excess below which a hair counts as short enough.
+constexpr float kReleasedM = 5e-3F; ///< Excess above which uncut hairs beside a hair may become shorter, too.
+constexpr float kOffM = 1e-3F; ///< Error that uncut hairs may have freely; a greater one only where nothing else helps.
+/// Least sum of squared weights of a read's texels that may change; below it, the read is left alone.
+constexpr float kLeastSquares = 1e-3F;
 
-/// What the longest is too long by.
+/// Shortens what is too long; returns the greatest excess before.
 float shorten(std::span<LengthRead> reads, float perM)
 {
     float worst = 0.0F;

@@ -7,22 +7,22 @@
 
 namespace hairpaint::model {
 
-/// What the map is read from at a root. Values are a texel's, 0..65535, as floats.
+/// The four texels that the map is interpolated from at a root. Values are 0..65535, as floats.
 struct LengthRead
 {
     std::array<float*, 4> texels{};
     std::array<std::uint16_t*, 4> masks{}; ///< 0: the texel may not change.
     std::array<float, 4> weights{};
-    std::array<float, 4> least{}, most{}; ///< Of a texel's value.
+    std::array<float, 4> least{}, most{}; ///< Range of each texel's value.
     float wanted = 0.0F;
 
     [[nodiscard]] float value() const;
-    /// By the least that takes the value there, as far as the texels may change.
+    /// Changes value() by `by`, with the least change of the texels, as far as they may change.
     void move(float by);
 };
 
 /// S. Kaczmarz, Angenaeherte Aufloesung von Systemen linearer Gleichungen, 1937: each root in turn moves the texels
-/// that it is read from by the least that gives what it should read. `perM`: of a texel's value.
+/// that it is read from by the least that gives what it should read. `perM`: a texel's value per metre of length.
 void bringToWanted(std::span<LengthRead> reads, float perM);
 /// Shortens what is longer than wanted once, and tells whether there is such; all texels of what is longer by 5 mm may
 /// change from here on.

@@ -136,14 +136,14 @@ private:
     void show();
     void drop();
 
-    LiveEdit m_edit; ///< Of the length layer.
+    LiveEdit m_edit; ///< Edits the length layer.
     std::shared_ptr<const SeenHair> m_seen;
     std::vector<std::uint32_t> m_mirrored;  ///< mirroredRoots(); empty where no other side is cut.
-    std::optional<StrandLengths> m_present; ///< Before this cut.
-    std::vector<float> m_presentM;          ///< What it gave, by slot; below 0: not asked for yet.
+    std::optional<StrandLengths> m_present; ///< Lengths of hair before this cut.
+    std::vector<float> m_presentM;          ///< By slot: the length that m_present gave; below 0 until it is asked for.
     std::optional<CutLengths> m_lengths;
     std::optional<CutTips> m_tips;
-    std::vector<StrandCut> m_cuts; ///< Of the hair that was seen.
+    std::vector<StrandCut> m_cuts; ///< Cuts of the hair in m_seen.
     std::vector<CutPiece> m_cutOff;
     CutKind m_kind = CutKind::Line;
     QPolygonF m_line;

@@ -22,7 +22,7 @@ public:
     [[nodiscard]] float keptFor(std::uint32_t slot, float lengthM) const;
 
 private:
-    /// m, before chance and the hairline shorten it.
+    /// Length, m, before chance and the hairline shorten it.
     [[nodiscard]] float uncutAt(std::uint32_t slot) const;
 
     std::shared_ptr<const sim::RootSet> m_roots;

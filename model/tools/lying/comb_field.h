@@ -18,7 +18,7 @@ class CombField
 public:
     explicit CombField(int size);
 
-    /// The direction that a dab gives a texel, in the texel's frame; none leaves what is there.
+    /// The direction that a dab gives a texel, in the texel's frame; where none, the texel keeps its own.
     using Direction = std::function<std::optional<glm::vec2>(int x, int y)>;
     void add(const Dab& dab, const Direction& direction);
     /// [64][64][2] as a direction layer holds them; zero vectors where no dab was.

@@ -7,7 +7,7 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr float kEveningReach = 0.2F; ///< Of the diameter.
+constexpr float kEveningReach = 0.2F; ///< Distance of the neighbours, as a fraction of the brush's radius.
 constexpr int kNeighbours = 8;
 
 glm::vec2 neighbour(glm::vec2 uv, glm::vec2 reachUv, int index)

@@ -10,7 +10,7 @@
 
 namespace hairpaint::model {
 
-/// How far from a point its neighbours are, as a fraction of the brush that `brush` is the whole dab of.
+/// The distance between a point and its neighbours, uv: a fraction of the radius of `brush`, the brush's whole dab.
 [[nodiscard]] glm::vec2 eveningReachUv(const Dab& brush, int mapSize);
 /// The mean direction with the mean flatness, in the frame of the point: where hair turns, it is not raised.
 [[nodiscard]] glm::vec2 evenedDirection(SkinFrames& frames, FallenHair& before, glm::vec2 uv, glm::vec2 reachUv);

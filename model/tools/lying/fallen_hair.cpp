@@ -82,7 +82,7 @@ void FallenHair::look(int tileIndex)
 sim::RasterTilePtr FallenHair::under(int tileIndex, const sim::RasterTilePtr& before,
                                      const StrokeBuffer::MaskTile& mask) const
 {
-    constexpr std::size_t kChannels = 3; // Of a direction layer: two, and coverage.
+    constexpr std::size_t kChannels = 3; // Channels of a direction layer: two of the direction, and coverage.
     const std::optional<Texels>& texels = m_tiles[static_cast<std::size_t>(tileIndex)];
     if (!texels)
         return before;

@@ -28,8 +28,8 @@ struct LyingHair
 [[nodiscard]] std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::HeadPose& pose,
                                                     const sim::DistanceGrid* distances, std::size_t most = 4000);
 
-/// What they tell at every point near them: the mean of the nearest, of a few millimetres where they are dense and of
-/// more where they are sparse. Immutable.
+/// The direction of hair at every point near it: the mean of the nearest hairs, within a few millimetres where they are
+/// dense, and more where they are sparse. Immutable.
 class LyingField
 {
 public:
@@ -44,7 +44,7 @@ public:
     [[nodiscard]] float nearnessOfRoots(glm::vec2 uv) const;
 
 private:
-    static constexpr int kCells = 512; ///< A side.
+    static constexpr int kCells = 512; ///< Number of cells a side.
     static constexpr int kNearCells = 64;
     [[nodiscard]] static float softly(const std::vector<float>& cells, glm::vec2 uv);
 

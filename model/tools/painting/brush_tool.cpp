@@ -27,7 +27,7 @@ constexpr ToolOption kPressureOpacity{
 constexpr std::array kBrushOptions{&kValueOption,  &kSizeOption,      &kHardnessOption, &kOpacityOption,
                                    &kPressureSize, &kPressureOpacity, &kTouchOption};
 
-constexpr float kSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
+constexpr float kSpacing = 1.0F / 8.0F; ///< Distance between dabs, as a fraction of their diameter.
 constexpr float kLeastPressure = 0.05F; ///< A pen that only just touches still leaves a trace.
 constexpr float kLeastStepTx = 0.25F;
 

@@ -56,7 +56,7 @@ struct Ramp
 struct GradientPaint
 {
     sim::Texel first{}, second{};
-    sim::Texel twinFirst{}, twinSecond{}; ///< Of the mirrored ramp.
+    sim::Texel twinFirst{}, twinSecond{}; ///< The two values of the mirrored ramp.
     std::vector<Ramp> ramps;              ///< The mirrored one too; the nearest to its start counts.
     std::uint16_t opacity = 65535;
 };

@@ -21,7 +21,7 @@ public:
 private:
     int m_mapSize;
     sim::TexelRect m_rect;
-    std::vector<std::uint8_t> m_cover; ///< Of m_rect, row by row; 255 is full.
+    std::vector<std::uint8_t> m_cover; ///< Coverage of the texels of m_rect, row by row; 255 is full.
 };
 
 } // namespace hairpaint::model

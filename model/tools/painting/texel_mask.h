@@ -19,13 +19,13 @@ public:
     [[nodiscard]] int size() const { return m_size; }
     [[nodiscard]] bool at(int x, int y) const { return ((word(x, y) >> bitOf(x)) & 1U) != 0; }
     void set(int x, int y) { wordAt(x, y) |= std::uint64_t{1} << bitOf(x); }
-    void set(int y, int x0, int x1); ///< Those from x0 to before x1.
+    void set(int y, int x0, int x1); ///< Sets the texels x0 .. x1 - 1 of a row.
     [[nodiscard]] bool any(const sim::TexelRect& rect) const;
 
     void keepInside(std::span<const sim::TexelRect> rects);
     void add(const TexelMask& other);
     void remove(const TexelMask& other);
-    /// With all texels that are at most `rings` steps away, diagonal ones too.
+    /// The mask with all texels added that are at most `rings` steps away, diagonal steps included.
     [[nodiscard]] TexelMask grown(int rings) const;
 
 private:

@@ -25,10 +25,10 @@ public:
 private:
     TipStarts() = default;
 
-    std::size_t m_layer = 0; ///< Its number in the edit.
+    std::size_t m_layer = 0; ///< Index of the tip start layer in the edit.
     sim::StrandMaterial m_material;
     std::optional<StrokeBuffer> m_masks;
-    std::shared_ptr<const sim::TiledRaster> m_start, m_tip, m_colour; ///< As they were.
+    std::shared_ptr<const sim::TiledRaster> m_start, m_tip, m_colour; ///< The resolved maps before the stroke.
 };
 
 } // namespace hairpaint::model

@@ -11,7 +11,7 @@ namespace hairpaint::model {
 namespace {
 
 constexpr float kSampleStepM = 0.003F;
-constexpr int kMostSteps = 100;          ///< Of one piece.
+constexpr int kMostSteps = 100;          ///< Limit on the samples of one piece of the curve.
 constexpr float kSamePointM = 0.0005F;   ///< Points nearer than this are one.
 constexpr float kZigzagSharpness = 0.9F; ///< 0: a sine; 1: straight lines with corners.
 
@@ -131,7 +131,7 @@ std::vector<sim::SurfacePoint> pointsToHairline(const sim::Skin& skin, const Par
     constexpr float kStepM = 0.005F;
     constexpr float kFurthestM = 0.07F;
     constexpr float kBare = 0.05F;
-    constexpr float kTowardFace = 0.2F; // Of the direction, +z.
+    constexpr float kTowardFace = 0.2F; // Least z of the curve's direction at an end that points toward the face.
     std::vector<sim::SurfacePoint> points;
     if (curve.empty())
         return points;

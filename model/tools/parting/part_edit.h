@@ -36,8 +36,8 @@ private:
     LiveEdit m_edit;
     std::optional<std::size_t> m_density; ///< Its layer's number in the edit, once there is one.
     std::unique_ptr<SkinFrames> m_frames; ///< Kept from parting to parting.
-    std::optional<FallenHair> m_before;   ///< How hair lay before this one,
-    sim::MapRaster m_hair;                ///< and where any grew: its density.
+    std::optional<FallenHair> m_before;   ///< How hair lay before this parting.
+    sim::MapRaster m_hair;                ///< The density map before this parting.
 };
 
 } // namespace hairpaint::model

@@ -21,15 +21,16 @@ std::size_t indexOf(int column, int row, int across)
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(across) + static_cast<std::size_t>(column);
 }
 
-constexpr float kFullReach = 0.6F;  ///< Of the reach: so far out the parting alone says how hair lies.
-constexpr float kPastEndM = 0.008F; ///< So far past its ends a parting still lays hair fully;
-constexpr float kEndFadeM = 0.04F;  ///< there, or at its reach, it ends.
-constexpr float kLaidBack = 0.35F;  ///< On top and at the forehead hair also lies back from the face, against 1 aside;
-constexpr float kOutward = 1.5F;    ///< past a parting's ends it turns on from them, where both sides meet.
-constexpr float kBlurM = 0.003F;    ///< How near pieces of the curve count alike.
-constexpr float kFacesAway = -0.3F; ///< Cosine between normals: the other side of something thin.
-constexpr float kLeastGapTx = 0.6F; ///< Half a gap's width.
-constexpr float kGapSoftness = 0.35F; ///< Of half its width.
+constexpr float kFullReach = 0.6F;  ///< Fraction of the reach within which the parting alone says how hair lies.
+constexpr float kPastEndM = 0.008F; ///< Distance past its ends within which a parting still lays hair fully.
+/// Distance past its ends at which a parting has no effect any more, or its reach if that is less.
+constexpr float kEndFadeM = 0.04F;
+constexpr float kLaidBack = 0.35F;    ///< Weight of backward against 1 for sideways, on top and at the forehead.
+constexpr float kOutward = 1.5F;      ///< Weight of onward past a parting's ends, where both sides meet.
+constexpr float kBlurM = 0.003F;      ///< Distance within which a nearer piece of the curve weighs no more.
+constexpr float kFacesAway = -0.3F;   ///< Cosine between normals: the other side of something thin.
+constexpr float kLeastGapTx = 0.6F;   ///< Half a gap's width.
+constexpr float kGapSoftness = 0.35F; ///< Width of a gap's soft edge, as a fraction of half the gap's width.
 constexpr float kLeastSoftnessTx = 0.5F;
 constexpr float kOneIslandM = 0.02F; ///< Samples further apart are no neighbours.
 constexpr float kCloseM = 0.004F;    ///< Further from the curve than this its two sides do not meet.
@@ -273,7 +274,7 @@ std::vector<int> PartField::tilesWithin(float distanceM, int size) const
     std::vector<int> tiles;
     for (int row = 0; row < across && !m_tiles.empty(); ++row)
         for (int column = 0; column < across; ++column) {
-            // Of the map and the table, the one's smaller tile lies in the other's larger.
+            // Tiles of the map and of the table differ in size; each smaller one lies within one larger one.
             bool any = false;
             for (int y = row * kTilesAcross / across; !any && y * across < (row + 1) * kTilesAcross; ++y)
                 for (int x = column * kTilesAcross / across; !any && x * across < (column + 1) * kTilesAcross; ++x) {

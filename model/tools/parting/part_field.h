@@ -12,16 +12,17 @@ namespace hairpaint::model {
 
 struct PartLook
 {
-    float reachM = 0.1F;   ///< To either side; further out nothing changes.
+    float reachM = 0.1F;   ///< Reach to either side; further out nothing changes.
     float flatness = 0.9F; ///< 0..1
     float gapM = 0.001F;   ///< Width without hair; 0 for none.
     float zigzagM = 0.0F;  ///< How far the parting leaves its curve.
-    float leadInM = 0.0F;  ///< So long at the curve's beginning,
-    float leadOutM = 0.0F; ///< and at its end, hair falls to both sides, straight and without a gap.
+    /// Length at the curve's beginning where hair falls to both sides, straight and without a gap.
+    float leadInM = 0.0F;
+    float leadOutM = 0.0F; ///< The same at the curve's end.
 };
 
-/// The curve through these points, led on over the hair before its ends; says in `look` how far. A part that begins
-/// behind the hairline would leave the hair before it to fall over the face. `density`: of one channel.
+/// The curve through these points, extended over the hair in front of its ends; sets the lead lengths of `look`. A
+/// part that begins behind the hairline would let the hair in front of it fall over the face. `density`: one channel.
 [[nodiscard]] PartCurve ledToHairline(const sim::Skin& skin, const std::vector<sim::SurfacePoint>& points,
                                       const sim::TiledRaster& density, PartLook& look);
 
@@ -51,11 +52,11 @@ private:
     {
         glm::vec3 positionHd{0.0F};
         glm::vec2 right{0.0F}; ///< Unit, in the frame of that point of the skin: away from the curve on its right side.
-        glm::vec2 shared{0.0F}; ///< In which hair of both sides goes besides.
+        glm::vec2 shared{0.0F}; ///< Direction that hair of both sides goes in besides, in the same frame.
         sim::SkinFrame frame;
-        float lateralM = 0.0F; ///< From the curve, to its right.
+        float lateralM = 0.0F; ///< Distance from the curve, positive to its right.
         float alongM = 0.0F;
-        float beyondM = 0.0F; ///< Past either end.
+        float beyondM = 0.0F; ///< Distance past either end; 0 beside the curve.
     };
     static constexpr int kStride = 2; ///< Every other sample of SkinFrames is enough.
     static constexpr int kTileSide = SkinFrames::kTileSide / kStride;
@@ -64,7 +65,7 @@ private:
     struct Tile
     {
         std::vector<std::optional<Sample>> samples; ///< [kTileSide][kTileSide]; none where nothing is in reach.
-        float nearestM = 0.0F;                      ///< Of its samples to the curve.
+        float nearestM = 0.0F;                      ///< Least distance of its samples from the curve.
     };
 
     [[nodiscard]] std::vector<int> tilesNear(const sim::HeadMesh& mesh) const;
@@ -74,7 +75,7 @@ private:
     [[nodiscard]] float halfGapM(int size) const;
     [[nodiscard]] Zigzag::Offset zigzagAt(float alongM) const;
     [[nodiscard]] float partedM() const { return m_curve.lengthM() - m_look.leadInM - m_look.leadOutM; }
-    [[nodiscard]] float endFadeM() const; ///< So far past its ends the parting fades.
+    [[nodiscard]] float endFadeM() const; ///< Distance past its ends over which the parting fades.
     [[nodiscard]] const Sample* entry(int x, int y) const;
     [[nodiscard]] std::optional<Sample> at(glm::vec2 uv) const;
     /// Calls `visit(texel, sample)` for a tile's texels that lie near the curve.
@@ -84,7 +85,7 @@ private:
     PartLook m_look;
     PartCurve m_curve;
     Zigzag m_zigzag;
-    glm::vec3 m_lowHd{0.0F}, m_highHd{0.0F}; ///< Around all that is in reach.
+    glm::vec3 m_lowHd{0.0F}, m_highHd{0.0F}; ///< Corners of a box around all that is in reach.
     std::vector<Tile> m_tiles;               ///< [kTilesAcross][kTilesAcross], or none.
 };
 

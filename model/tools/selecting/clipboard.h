@@ -19,19 +19,19 @@ struct Clip
     QRectF uvRect;
     int width = 0, height = 0;
     std::vector<sim::Texel> texels = {};             ///< Row by row from the top; value channels, then coverage.
-    std::optional<sim::GroupSettings> settings = {}; ///< Of the group it was copied from.
+    std::optional<sim::GroupSettings> settings = {}; ///< Settings of the group it was copied from.
 };
 
 /// The active layer's texels inside the selection (the whole map where nothing is selected); between several selected
 /// rectangles the clip covers nothing.
 [[nodiscard]] Clip copyClip(const Document& document, const LayerAddress& address, const Selection& selection);
-/// As other programs see it: in the colours of the map's scale, its coverage as alpha. Null where it is empty, or too
-/// large to be handed round.
+/// The clip as an image for other programs: in the colours of the map's scale, with coverage as alpha. Null where the
+/// clip is empty or too large.
 [[nodiscard]] QImage imageFromClip(const Clip& clip);
-/// What an image of another program's can be to a map.
+/// How a map can read another program's image.
 [[nodiscard]] ImageReading readingOf(const QImage& image, const MapSpec& spec);
-/// Such an image as a clip for a map of `size` texels a side, fitted into `area` (uv) and read by the map's colours,
-/// or `grey` as the value.
+/// An image as a clip for a map of `size` texels a side, fitted into `area` (uv); read by the map's colours, or where
+/// `grey` by its grey as the value.
 [[nodiscard]] Clip clipFromImage(const QImage& image, MapKind map, bool grey, int size, const QRectF& area);
 /// Makes the selected texels `texel`, coverage and all. "Fill Length". Null where the layer is hidden, locked or gone.
 [[nodiscard]] CommandPtr fillCommand(Document& document, const LayerAddress& address, const Selection& selection,

@@ -16,10 +16,10 @@ namespace hairpaint::model {
 /// Nodes from root to tip, Hd.
 using HairCourse = std::vector<glm::vec3>;
 
-/// A node where the hair is so far along, put between others where there is none; returns its index, never the root's.
+/// Finds the node at that distance along the hair, or inserts one; returns its index, never the root's.
 [[nodiscard]] std::size_t nodeAlong(HairCourse& course, float alongM);
-/// The node goes to the target, or as near as the hair reaches; the root stays, what hangs beyond the node goes along,
-/// and every two neighbours stay as far apart as they are. (FABRIK: Aristidou and Lasenby, 2011.)
+/// Moves the node to the target, or as near as the hair reaches. The root stays, nodes beyond the moved one follow, and
+/// distances between neighbours are kept. (FABRIK: Aristidou and Lasenby, 2011.)
 void bendHair(HairCourse& course, std::size_t node, glm::vec3 targetHd);
 
 /// What laying hair along courses leaves on the direction map: as far as a course lies near the skin, from its root on,
@@ -31,7 +31,7 @@ struct LaidHair
 };
 struct LayShape
 {
-    float radiusM = 0.015F; ///< To either side of the course.
+    float radiusM = 0.015F; ///< Radius to either side of the course.
     float hardness = 1.0F;  ///< 0..1
 };
 [[nodiscard]] LaidHair layAlong(std::span<const HairCourse> courses, const LayShape& shape, SkinFrames& frames,

@@ -15,38 +15,39 @@ namespace hairpaint::model {
 /// A dab of the fingers: a disc of the skin, or the root of a strand that they meet elsewhere.
 struct FingerDab
 {
-    Dab dab; ///< Of the direction map.
+    Dab dab; ///< The dab on the direction map.
     sim::SurfacePoint centre;
-    float reachM = 0.015F;     ///< Of the fingers: their radius.
-    glm::vec3 headingHd{0.0F}; ///< Unit: where the stroke goes; zero while it goes nowhere.
-    /// From the strand to the middle of the fingers, of their radius; none where each texel has its own.
+    float reachM = 0.015F;     ///< Radius of the fingers.
+    glm::vec3 headingHd{0.0F}; ///< Unit direction of the stroke; zero while it does not move.
+    /// Vector from the strand to the middle of the fingers, in units of their radius; none where each texel has its
+    /// own.
     std::optional<glm::vec3> gatherHd = {};
 };
 
-/// Values are those before the stroke, moved by the greatest of its masks, so that neither the order of the dabs nor
-/// their overlap shows.
+/// Each texel's value is the one before the stroke, changed by the greatest mask of all dabs, so that neither the order
+/// of the dabs nor their overlap shows.
 class FingerMaps
 {
 public:
     /// False where the direction layer can't be painted on; another layer that can't be stays as it is.
     [[nodiscard]] bool begin(const ToolContext& context, const QString& text, SkinFrames& frames);
     void add(const FingerDab& dab);
-    void show(); ///< What the dabs since the last call have changed.
+    void show(); ///< Shows what the dabs since the last call have changed.
     void commit();
     void cancel();
     [[nodiscard]] bool active() const { return m_edit.active(); }
-    [[nodiscard]] int size() const { return m_edit.size(); } ///< Of the direction map.
+    [[nodiscard]] int size() const { return m_edit.size(); } ///< Side of the direction map, texels.
 
 private:
-    /// A scalar map that changes, too.
+    /// A scalar map that changes along with the direction map.
     struct Scalar
     {
         MapKind map = MapKind::Clump;
-        std::size_t layer = 0; ///< Its number in the edit.
+        std::size_t layer = 0; ///< Index of its layer in m_edit.
         StrokeBuffer masks;
-        std::shared_ptr<const sim::TiledRaster> before; ///< As it was seen.
-        std::optional<std::uint16_t> target;            ///< Where all texels move to; none: to their neighbours' mean.
-        std::vector<std::vector<std::uint16_t>> means = {}; ///< By tile.
+        std::shared_ptr<const sim::TiledRaster> before; ///< The resolved map before the stroke.
+        std::optional<std::uint16_t> target; ///< The value that texels move to; none: the mean of their neighbours.
+        std::vector<std::vector<std::uint16_t>> means = {}; ///< By tile: the neighbours' mean of each texel.
     };
 
     void also(const ToolContext& context, MapKind map, std::optional<std::uint16_t> target);
@@ -56,11 +57,11 @@ private:
     [[nodiscard]] sim::RasterTilePtr scalarTile(const Scalar& scalar, int tile, const sim::RasterTilePtr& before) const;
     void drop();
 
-    LiveEdit m_edit; ///< Of the direction layer, and of the others.
+    LiveEdit m_edit; ///< Edits the direction layer, then those of m_scalars.
     FingerKind m_kind = FingerKind::Puff;
     std::uint16_t m_strength = 65535;
     SkinFrames* m_frames = nullptr;
-    std::optional<FallenHair> m_before; ///< How hair lay.
+    std::optional<FallenHair> m_before; ///< How hair lay when the stroke began.
     std::optional<StrokeBuffer> m_masks;
     std::optional<CombField> m_field;
     std::shared_ptr<const sim::TiledRaster> m_density;

@@ -43,18 +43,19 @@ constexpr ToolOption kGrabGel{
     .kind = ToolNumber{.field = &ToolSettings::grabGel, .standard = 30.0}};
 constexpr std::array kGrabOptions{&kGrabKind, &kSizeOption, &kHardnessOption, &kOpacityOption, &kGrabGel};
 
-constexpr float kStillM = 0.001F;                  ///< A pointer that moved less has not moved.
-constexpr float kAlike = 0.5F;                     ///< Cosine: hair that lies so goes along,
-constexpr float kHangs = 2.0F;                     ///< Of the length that stands up: hair so long hangs.
-constexpr float kUnlike = 0.1F;                    ///< and hair that lies so stays.
+constexpr float kStillM = 0.001F; ///< A pointer that moved less has not moved.
+constexpr float kAlike = 0.5F;    ///< Cosine to the held hair's direction from which hair goes along fully,
+constexpr float kHangs = 2.0F;    ///< Hair longer than this many times its standing length hangs.
+constexpr float kUnlike = 0.1F;   ///< and below which hair stays.
 const glm::vec3 kOverTheMiddle(-1.0F, 1.0F, 1.0F); ///< Reflects Hd.
 
 /// One point of the skin whose hair is pulled along, and the direction that it gets.
 struct Held
 {
     sim::SurfacePoint root;
-    glm::vec3 across{1.0F};            ///< What reflects the pointer's movement into this one's.
-    glm::vec3 lyingHd{0.0F};           ///< Unit: how it lay when it was taken hold of.
+    /// Factors of Hd that turn the pointer's movement into this point's: its mirror image or itself.
+    glm::vec3 across{1.0F};
+    glm::vec3 lyingHd{0.0F};           ///< Unit direction in which hair lay there when it was grabbed.
     std::vector<float> agreement = {}; ///< [kSize][kSize] of SkinFrames; below 0: not asked for yet.
 };
 
@@ -143,22 +144,22 @@ private:
     void layLengths(float factor, const sim::GroupSettings& group, const ToolSettings& settings);
     void drop();
 
-    LiveEdit m_edit;                     ///< Of the direction layer.
-    std::optional<std::size_t> m_length; ///< That layer's number in it; none where it can't be painted on.
-    std::optional<std::size_t> m_gel;    ///< The same.
-    std::shared_ptr<const sim::TiledRaster> m_lengthBefore; ///< As it was seen.
+    LiveEdit m_edit;                     ///< Edits the direction layer, then the length and the gel layer.
+    std::optional<std::size_t> m_length; ///< Index of the length layer in m_edit; none where it can't be painted on.
+    std::optional<std::size_t> m_gel;    ///< Index of the gel layer in m_edit, likewise.
+    std::shared_ptr<const sim::TiledRaster> m_lengthBefore; ///< The resolved length map before the drag.
     std::vector<Held> m_held;
-    std::shared_ptr<const sim::TiledRaster> m_gelBefore; ///< The same.
+    std::shared_ptr<const sim::TiledRaster> m_gelBefore; ///< The resolved gel map before the drag.
     std::optional<StrokeBuffer> m_masks, m_lengthMasks, m_gelMasks;
-    std::vector<int> m_tiles, m_lengthTiles, m_gelTiles; ///< That those masks touch.
+    std::vector<int> m_tiles, m_lengthTiles, m_gelTiles; ///< Tiles that the masks of each map touch.
     std::unique_ptr<SkinFrames> m_frames;                ///< Kept from drag to drag.
     std::optional<FallenHair> m_before;                  ///< How hair lay when the drag began.
     glm::vec3 m_startHd{0.0F};
-    float m_alongM = 0.0F; ///< Of the point that was grabbed, from the root; 0 in the paint area.
+    float m_alongM = 0.0F; ///< Distance of the grabbed point from the root along the hair; 0 in the paint area.
     bool m_moved = false;
-    std::vector<GuideStrand> m_guides; ///< Offered to be bent.
-    HairCourse m_course;               ///< Of the hair that is bent, as it lay; none where only its root is turned.
-    std::size_t m_courseNode = 0;      ///< Which of its nodes is held.
+    std::vector<GuideStrand> m_guides; ///< Guide hairs that can be bent.
+    HairCourse m_course;          ///< Course of the bent hair before the drag; empty where only its root is turned.
+    std::size_t m_courseNode = 0; ///< Index of the held node of the course.
 };
 
 void GrabTool::press(const ToolEvent& event, ToolContext& context)

@@ -40,7 +40,7 @@ private:
     using Tile = std::vector<std::optional<FramedPoint>>; ///< [kTileSide][kTileSide]
 
     std::shared_ptr<const sim::Skin> m_skin;
-    std::array<Tile, std::size_t{kTilesAcross} * kTilesAcross> m_tiles; ///< Empty: not asked for yet.
+    std::array<Tile, std::size_t{kTilesAcross} * kTilesAcross> m_tiles; ///< Tiles of the table; empty until asked for.
 };
 
 } // namespace hairpaint::model

@@ -58,7 +58,7 @@ struct StrokeBuffer::Kernel
     Dab dab;
     float slope;
     float full;
-    float halfWidth, halfHeight; ///< Of the bounding box.
+    float halfWidth, halfHeight; ///< Half the size of the bounding box, texels.
 
     explicit Kernel(const Dab& source) : dab(source)
     {

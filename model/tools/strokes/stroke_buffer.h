@@ -12,7 +12,7 @@
 
 namespace hairpaint::model {
 
-inline constexpr int kTile = sim::TiledRaster::kTileSize; ///< Texels along an edge.
+inline constexpr int kTile = sim::TiledRaster::kTileSize; ///< Side of a tile, texels.
 
 /// One dab: inside where `a dx2 + 2 b dx dy + c dy2 < 1`, dx and dy in texels from the centre, y down.
 struct Dab
@@ -30,7 +30,7 @@ class StrokeBuffer
 public:
     using MaskTile = model::MaskTile;
 
-    /// `valueChannels`: of the values that dabs leave; 0 where all lay the same.
+    /// `valueChannels`: channels of the values that dabs leave; 0 where all dabs leave the same value.
     explicit StrokeBuffer(int size, int valueChannels = 0);
 
     /// Paints inside `clip` only. Allocates the tiles it meets first.
@@ -38,7 +38,7 @@ public:
     /// The same; where no earlier dab is stronger it leaves `value`.
     void add(const Dab& dab, const sim::TexelRect& clip, const sim::Texel& value);
 
-    /// Null where no dab has been.
+    /// The mask of a tile; null where no dab has been.
     [[nodiscard]] const MaskTile* mask(int tileIndex) const
     {
         return m_tiles[static_cast<std::size_t>(tileIndex)].get();
@@ -49,7 +49,7 @@ public:
         const std::vector<std::uint16_t>& tile = m_values[static_cast<std::size_t>(tileIndex)];
         return tile.empty() ? nullptr : tile.data();
     }
-    /// For tools that write masks themselves; zeroed when it is new.
+    /// The mask of a tile, to be written by the tool itself; a new one is zeroed.
     [[nodiscard]] MaskTile& writableMask(int tileIndex);
     /// Tiles touched since the last call, each once, in ascending order.
     [[nodiscard]] std::vector<int> takeDirty();
@@ -75,7 +75,7 @@ private:
     std::vector<std::vector<std::uint16_t>> m_values;
     std::vector<bool> m_isDirty;
     std::vector<int> m_dirty;
-    std::vector<Span> m_spans; ///< Kept from dab to dab, so that a dab does not allocate.
+    std::vector<Span> m_spans; ///< Reused by all dabs, so that a dab does not allocate.
 };
 
 } // namespace hairpaint::model
