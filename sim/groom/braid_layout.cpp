@@ -17,10 +17,11 @@ namespace {
 
 constexpr std::uint32_t kSampledRanks = 32768; ///< Roots are chosen among these, which cover the skin evenly,
 constexpr std::size_t kFewSampled = 32;        ///< and where a patch has fewer of them, among all of its hairs.
-constexpr std::size_t kMostBraids = 256;       ///< Of a patch; bounds the time that a tiny spacing would take.
+/// Greatest number in a patch; bounds the time that a tiny spacing would take.
+constexpr std::size_t kMostBraids = 256;
 constexpr int kLloydSteps = 4;
 constexpr float kShortestM = 0.005F;
-constexpr float kMostCornrowM = 0.002F; ///< Its radius: so it keeps within 6 mm of the skin.
+constexpr float kMostCornrowM = 0.002F; ///< Greatest radius of a cornrow, which so keeps within 6 mm of the skin.
 constexpr std::size_t kHairsAtOnce = 4096;
 
 float squaredDistance(glm::vec3 a, glm::vec3 b)
@@ -262,7 +263,7 @@ void BraidLayout::plant(const Inputs& inputs, std::size_t begin, std::size_t end
     }
     // The hair nearest to the middle, or the solved hair of the same cell that is nearest to that, if it is about
     // there.
-    constexpr float kAboutThere = 1.5F; // Of the solved hairs' spacing.
+    constexpr float kAboutThere = 1.5F; // Greatest distance of such a solved hair, over the solved hairs' spacing.
     constexpr float kFar = std::numeric_limits<float>::max();
     const float aboutM =
         kAboutThere * std::sqrt(static_cast<float>(roots.skin->areaM2()) / static_cast<float>(roots.basisSlot.size()));

@@ -12,12 +12,13 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr std::size_t kSamples = 17;   ///< Of the part on the scalp.
-constexpr float kLiftM = 0.002F;       ///< Hairs on their path lie on those below them,
-constexpr float kLiftFraction = 0.05F; ///< and are lifted by this fraction of it: a few nodes must clear a round head.
-constexpr float kPitchRadii = 9.0F;    ///< Length of one turn of equation 3, in its radius r.
-constexpr float kFourPitch = 1.4F;     ///< That of flat plaits, in those of a plait of three.
-constexpr float kFivePitch = 1.8F;
+constexpr std::size_t kSamples = 17; ///< Points of a hair's path over the scalp.
+constexpr float kLiftM = 0.002F;     ///< Lift of the path's middle: hairs lie on those below them.
+/// Lift added to that, as a fraction of the path's chord: a few nodes must clear a round head.
+constexpr float kLiftFraction = 0.05F;
+constexpr float kPitchRadii = 9.0F; ///< Length of one turn of equation 3, in its radius r.
+constexpr float kFourPitch = 1.4F;  ///< Pitch of a flat plait of four strands over that of a plait of three,
+constexpr float kFivePitch = 1.8F;  ///< and of five.
 
 float lengthOf(glm::vec3 v)
 {

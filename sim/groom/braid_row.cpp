@@ -26,8 +26,8 @@ public:
     {
         for (const std::uint32_t slot : slots)
             m_positionsHd.push_back(roots.positionHd[slot]);
-        // So far that a strip of even roots holds together.
-        constexpr float kReach = 4.0F; // Of the mean distance of nearest roots.
+        // In units of the mean distance of nearest roots: far enough that a strip of even roots holds together.
+        constexpr float kReach = 4.0F;
         float sumM = 0.0F;
         for (std::size_t i = 0; i < m_positionsHd.size(); ++i) {
             float nearest = kFar;
@@ -39,7 +39,7 @@ public:
         m_reachM = kReach * sumM / static_cast<float>(std::max<std::size_t>(m_positionsHd.size(), 1));
     }
 
-    /// Over the graph, by root; kFar where it does not reach.
+    /// Lengths of the shortest paths over the graph from one root, by root; kFar where there is none.
     [[nodiscard]] std::vector<float> distancesFrom(std::size_t from) const
     {
         std::vector<float> distances(m_positionsHd.size(), kFar);
