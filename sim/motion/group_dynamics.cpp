@@ -310,7 +310,7 @@ void GroupDynamics::rouse()
 std::size_t GroupDynamics::calmDown(std::span<const StepForces> steps)
 {
     const unsigned doublings = doublingsAfter(m_calmSteps);
-    constexpr float kDamps = 0.1F; // Of the speed, in a step.
+    constexpr float kDamps = 0.1F; // Fraction of the speed taken in a step, per doubling.
     m_gains.stillM = kStillM * static_cast<float>(1U << doublings);
     m_gains.drag = m_drag * (1.0F - kDamps * static_cast<float>(doublings));
     std::size_t count = 0;

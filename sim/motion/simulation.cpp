@@ -50,8 +50,8 @@ struct Simulation::State
     double simulatedSeconds = 0.0;
     double stepMilliseconds = 0.0;
     std::size_t rebuilt = 0;
-    std::uint64_t revision = 0; ///< Of the last input,
-    bool preview = false;       ///< and whether it was one.
+    std::uint64_t revision = 0; ///< GroomInput::revision of the last input.
+    bool preview = false;       ///< GroomInput::preview of the last input.
 
     [[nodiscard]] bool asleep() const
     {

@@ -13,7 +13,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
 
-constexpr std::size_t kPairs = 4; ///< Of a cell's corners beside each other along x: y fastest, then z.
+/// Pairs of a cell's corners that are beside each other along x; ordered with y fastest, then z.
+constexpr std::size_t kPairs = 4;
 
 /// The cells that nodes are in, one a lane, and where in them.
 struct CellOfNode
@@ -160,11 +161,11 @@ void ReadBody(const BodyNodes& nodes, const BodyGrid& grid, float* out, std::siz
             }
 }
 
-/// What the grid holds at one node, and its slope, a cell.
+/// The grid's values at the nodes of kLanes strands, and their slope per cell.
 struct BodyAtNodes
 {
     HWY_ALIGN float values[kLanes * 4]; ///< Hair and its momentum.
-    HWY_ALIGN float slope[3 * kLanes];  ///< Of the hair.
+    HWY_ALIGN float slope[3 * kLanes];  ///< [3][kLanes] slope of the hair.
 };
 
 /// `t`: [3][kLanes].

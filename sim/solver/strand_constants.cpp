@@ -15,9 +15,9 @@ namespace {
 
 constexpr auto kStep = static_cast<float>(kStepSeconds);
 constexpr float kWindRate = 1.0F; ///< 1/s: how fast a lock takes over the air's motion across it.
-/// From here on the shape is held rather than leant to, and its other nodes may lie on the ellipsoids.
+/// holdGain() above which all nodes of a rest shape must be outside the ellipsoids, not only the first two.
 constexpr float kHeldShape = 0.02F;
-constexpr float kRootDamping = 0.3F; ///< Of a step: what the hair around it takes from a hair's motion at its root.
+constexpr float kRootDamping = 0.3F; ///< Fraction of a hair's motion at its root that the hair around takes in a step.
 
 /// A gain of a step of 1/60 s, for kStepSeconds: half as long, so 1 - sqrt(1 - k).
 float rescaled(float gain)
@@ -91,7 +91,7 @@ float holdGain(float gel)
     // 0.3 sags under gravity by 2.5 cm, and each tenth more by half of the tenth before.
     constexpr float kSagM = 0.025F;
     constexpr float kLn2 = 0.6931472F;
-    // All of it holds whatever comes.
+    // Gel of 1 holds against any force.
     const float amount = std::clamp(gel, 0.0F, 1.0F);
     const float amount2 = amount * amount;
     const float amount4 = amount2 * amount2;
@@ -101,7 +101,7 @@ float holdGain(float gel)
 
 float loftGain(float loft)
 {
-    constexpr float kSagM = 0.0008F; ///< Of all of it, at the root.
+    constexpr float kSagM = 0.0008F; ///< Displacement by gravity at the root with a loft of 1.
     return loft > 0.0F ? kGravity * kStep * kStep / kSagM * std::min(loft, 1.0F) : 0.0F;
 }
 
