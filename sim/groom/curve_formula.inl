@@ -109,7 +109,7 @@ struct CoiledHair
 {
     Num turns;
     Num radiusM;
-    Num phase;  // Of its lock, rad: from it follow the lock's hand and where its switchbacks lie.
+    Num phase;  // Its lock's phase, rad: from it follow the lock's hand and where its switchbacks lie.
     Num chance; // -1..1, the hair's own: its phase out of step, and which turns it leaps over.
     Num lengthM;
 };
@@ -309,11 +309,11 @@ CURVE_FUNCTION WispPath wispPath(Lacing lacing, Num angle)
     return path;
 }
 
-// At a fraction q of the hair's part of a braid, of so many metres, of one of its wisps, from the strand's axis: along
-// the frame's first axis, the strand, and the third.
+// Offset from the strand's axis of a hair in one wisp of a braid, at fraction q of the braidM metres that the hair goes
+// in it: along the frame's first axis, the strand, and the third.
 CURVE_FUNCTION Vec3 braidedOffset(BraidedHair hair, Num kind, Num wisp, Num q, Num braidM)
 {
-    // Of the whole braid.
+    // From here on turns, q and braidM are those of the whole braid.
     Num whole = hair.turns + hair.begun;
     q = q + (1.0F - q) * hair.begun / most(whole, Num(1e-3F));
     braidM = braidM * (1.0F + hair.begun / most(hair.turns, Num(1e-3F)));

@@ -2,8 +2,8 @@
 // One text for view/rendering/software/curve_inl.h (as many strands as there are lanes) and the shader strand_shade.comp,
 // with the names that curve_formula.inl asks for.
 
-const float kSectionTwistsPerM = 5.0F; // Of a straight fibre.
-const float kOwnSectionRad = 1.7F;     // By so much hairs of a lock are out of step at most.
+const float kSectionTwistsPerM = 5.0F; // Turns of a straight fibre's section, 1/m.
+const float kOwnSectionRad = 1.7F;     // Greatest angle by which the hairs of a lock are out of step.
 const float kSectionLean = 0.9F;
 
 struct Section

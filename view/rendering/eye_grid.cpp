@@ -7,7 +7,8 @@ namespace hairpaint::rendering {
 
 EyeGrid eyeGrid(const FrameConstants& constants)
 {
-    constexpr float kEdge = 1.1F; ///< Of the picture, beyond which nothing hides what is seen.
+    /// Where the grid ends, in half the picture's size: hair further out hides nothing that is seen.
+    constexpr float kEdge = 1.1F;
     constexpr float kNearestM = 0.02F;
     constexpr float kLeastExtent = 0.01F;
     const glm::mat4 woFromBox = glm::inverse(constants.gridFromWo[1]);

@@ -72,8 +72,8 @@ public:
     }
 
 private:
-    /// Strength at node i of the spring that carries the coat. Beyond a displacement of kLoftYieldM in a step its force
-    /// grows no further, so that wind bends hair at its roots.
+    /// Strength at node i of the spring that carries the coat. It yields where a step would move the node by more than
+    /// kLoftYieldM, so that wind bends hair at its roots.
     [[nodiscard]] HWY_INLINE Lanes loftAt(int i, const Lanes3& free) const
     {
         const Lanes near = most(1.0F - m_perLoft * static_cast<float>(i), 0.0F);

@@ -105,7 +105,7 @@ std::size_t Buffer::writeChanged(const void* data, std::size_t bytes, const void
     const auto* now = static_cast<const std::byte*>(data);
     const auto* was = static_cast<const std::byte*>(before);
     std::size_t written = 0;
-    std::size_t from = 0; // Of the run of blocks that differ.
+    std::size_t from = 0; // Begin of the run of blocks that differ.
     for (std::size_t at = 0; at < bytes; at += kBlock) {
         const std::size_t length = std::min(kBlock, bytes - at);
         if (std::memcmp(now + at, was + at, length) != 0)

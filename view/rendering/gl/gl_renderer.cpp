@@ -36,9 +36,9 @@ bool takeErrors()
 }
 
 constexpr int kAllRows = 1 << 16;
-constexpr int kRowsAStep = 4; ///< Of tiles.
+constexpr int kRowsAStep = 4; ///< Rows of tiles that a step draws.
 
-/// Until all that was handed over is drawn; no longer than a second, should the driver hang.
+/// Waits until all commands handed over are drawn; no longer than a second, should the driver hang.
 void awaitDrawing()
 {
     constexpr GLuint64 kMostNs = 1'000'000'000;
@@ -63,8 +63,8 @@ struct GlRenderer::Picture
     FrameConstants constants;
     HairPass::Report report;
     bool binned = false;  ///< Its strands lie in their tiles.
-    double spentMs = 0.0; ///< In steps.
-    bool complete = true; ///< So far.
+    double spentMs = 0.0; ///< Sum of its steps' times.
+    bool complete = true; ///< No part was given up so far.
 };
 
 struct GlRenderer::State
@@ -80,16 +80,16 @@ struct GlRenderer::State
     SkinShade shade;
     RingPass rings;
     std::array<Program, 3> resolve; ///< For 1, 2 and 4 samples a pixel.
-    Program smooth;                 ///< Instead of more samples.
+    Program smooth;                 ///< Smooths edges instead of more samples.
     VertexArray noVertices;
     Buffer constants;
     Framebuffer framebuffer;
     Texture rough; ///< The picture of one sample a pixel, not smoothed yet.
     Texture picture;
-    glm::ivec2 size{0};              ///< Of the last finished picture, in pixels.
+    glm::ivec2 size{0};              ///< Size of the last finished picture, in pixels.
     std::optional<Picture> underWay; ///< Begun, not finished yet.
-    FrameTimer timer;                ///< Of pictures drawn at once.
-    bool readCounts = false;         ///< Whether the next read() is what the last picture's time runs to.
+    FrameTimer timer;                ///< Times the pictures drawn at once.
+    bool readCounts = false;         ///< Whether the last picture's time ends with the next read().
 };
 
 GlRenderer::GlRenderer() : m_state(std::make_unique<State>()) {}

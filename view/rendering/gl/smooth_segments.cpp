@@ -10,7 +10,7 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr std::size_t kBlocksMeasured = 64;
-constexpr float kMostBends = 0.98F; ///< Of those measured, the fraction that is drawn round enough.
+constexpr float kMostBends = 0.98F; ///< Fraction of the measured bends that are drawn round enough.
 constexpr float kNearestM = 0.05F;
 constexpr std::array kSteps{1, 2, 3, 4, 6, 8, 12, 16};
 

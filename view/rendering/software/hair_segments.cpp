@@ -38,9 +38,9 @@ BlockScratch& blockScratch()
 /// False where surely nothing of the block lies in the rows of tiles that are drawn.
 bool mayTouchRows(const StrandBlock& block, const StrandView& view, const TileGrid& tiles)
 {
-    constexpr float kOvershoot = 0.25F;   ///< Of the nodes' distances: how far curves may lie beyond them at most.
-    constexpr float kMostRadii = 2.5F;    ///< That a curl or a braid is wide on each side.
-    constexpr float kNearestSeenM = 0.1F; ///< Closer by all is drawn.
+    constexpr float kOvershoot = 0.25F;   ///< How far curves may lie beyond the nodes, over the nodes' extent.
+    constexpr float kMostRadii = 2.5F;    ///< Greatest width of a curl or a braid on each side, in its radii.
+    constexpr float kNearestSeenM = 0.1F; ///< Blocks with a node that is nearer are always drawn.
     if (tiles.rows() == tiles.up)
         return true;
     float lowest = std::numeric_limits<float>::max();

@@ -41,7 +41,7 @@ HWY_INLINE Side sideOf(const HeadVertex& from, const HeadVertex& to, float turn,
     return {a, b, -(a * (from.x - x) + b * (from.y - y))};
 }
 
-/// Of sRGB, linear.
+/// Linear value of an sRGB byte.
 float linearOf(std::uint8_t encoded)
 {
     const float x = static_cast<float>(encoded) / 255.0F;
@@ -59,7 +59,7 @@ const std::array<float, 256>& linearTable()
     return table;
 }
 
-/// Between its four texels, linear, with alpha; it repeats.
+/// Bilinear sample of a texture that repeats: linear colour, and alpha.
 glm::vec4 texelAt(const sim::MeshTexture& texture, float u, float v)
 {
     const auto width = static_cast<float>(texture.width);

@@ -89,7 +89,7 @@ struct RowOfCells
     }
 };
 
-/// Of both kinds of cells.
+/// A row of both kinds of cells.
 struct CellRows
 {
     RowOfCells shade;

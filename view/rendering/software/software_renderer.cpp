@@ -20,10 +20,10 @@ namespace {
 constexpr int kMostSide = 8192;
 constexpr std::size_t kBatchesAStep = 4;
 constexpr std::size_t kTilesAStep = 64;
-constexpr float kCoarseOpaque = 0.06F; ///< What is left to see through then is nothing.
+constexpr float kCoarseOpaque = 0.06F; ///< A sample counts as opaque where less than this is left to see through.
 constexpr float kFineOpaque = 0.015F;
-constexpr int kCoarseShadeCell = 4; ///< Pixels.
-constexpr int kFineShadeCell = 2;   ///< Of pictures with several samples a pixel.
+constexpr int kCoarseShadeCell = 4; ///< Pixels across a cell of the skin's shadow.
+constexpr int kFineShadeCell = 2;   ///< The same in pictures with several samples a pixel.
 
 using SoftwareClock = std::chrono::steady_clock;
 
@@ -42,7 +42,7 @@ TileSamples& tileSamples()
 
 struct SoftwareRenderer::State
 {
-    /// Of an unfinished picture: what is drawn, and how far it is.
+    /// An unfinished picture: what is drawn, and how much of it is done.
     struct Picture
     {
         Target target;
@@ -60,9 +60,9 @@ struct SoftwareRenderer::State
     HeadPicture head;
     std::size_t mostBytes;
     HairSegments hair{mostBytes};
-    std::vector<const ScreenSegment*> segments; ///< By batch.
+    std::vector<const ScreenSegment*> segments; ///< [batches] first segment of each.
     std::vector<float> skinShade;
-    std::vector<float> hiddenBehind; ///< In the same cells.
+    std::vector<float> hiddenBehind; ///< In the cells of skinShade.
     glm::ivec2 shadeSize{0};
     int shadeCell = kCoarseShadeCell;
     std::vector<std::uint8_t> drawn;  ///< The unfinished picture.

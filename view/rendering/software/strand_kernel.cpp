@@ -18,15 +18,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
-constexpr float kDeepFrom = 0.3F; ///< Coverings: from where on fewer hairs are drawn for all, and as few as may be.
-constexpr float kDeepTo = 1.6F;
+constexpr float kDeepFrom = 0.3F;       ///< Coverings of hair in front from which on fewer hairs are drawn,
+constexpr float kDeepTo = 1.6F;         ///< and from which on StrandView::deepFraction of them are.
 constexpr float kLeastShade = 0.05F;    ///< Coverings: less needs no second look at what casts it.
 constexpr float kGreatestWidth = 24.0F; ///< Samples: wider strands would look like straw.
 constexpr float kMostSlant = 1.42F;
-constexpr int kMostJoinedSpans = 4; ///< In one segment: light is known at its ends only.
+constexpr int kMostJoinedSpans = 4; ///< Most spans in one segment: light is computed at its ends only.
 constexpr float kNearestDrawnM = 0.01F;
-constexpr float kSegmentsOfDyedSpan = 4.0F; ///< Where the tip colour begins or becomes whole.
-/// Of frizz, in waves of the coarser one, which has a little more than half of the height.
+constexpr float kSegmentsOfDyedSpan = 4.0F; ///< Segments of a span in which the tip colour begins or becomes whole.
+/// Waves of frizz that segments follow, over those of the coarser wave, which has a little more than half the height.
 constexpr float kFollowedWaves = 0.5F * (1.0F + sim::kFrizzFiner);
 
 static_assert(kMostLanes == kBlockLanes);
@@ -52,10 +52,10 @@ float tipAlongOf(const StrandView& view, const StrandBlock& block, const SpanSeg
     const auto spans = static_cast<std::size_t>(block.nodes) - 1;
     if (!view.tapers || spans < 3 || segments.of.at(spans - 1) != 1 || segments.of.at(spans - 2) == 0)
         return 0.0F;
-    constexpr float kTwoSpans = 4.0F; // Of a span's distance between chord and curve.
+    constexpr float kTwoSpans = 4.0F; // Distance between chord and curve of two spans, over that of one.
     if (kTwoSpans * std::max(bendAt.at(spans - 1), bendAt.at(spans - 2)) > 8.0F * view.toleranceSp)
         return 0.0F;
-    float taper = 0.0F; // Of the strands, in spans.
+    float taper = 0.0F; // Sum of the strands' tapers, in spans.
     float strands = 0.0F;
     for (std::size_t lane = 0; lane < kMostLanes; ++lane)
         if (block.width[lane] > 0.0F) {
