@@ -1,6 +1,6 @@
 // A fibre that is not round: its section is an ellipse of the area that the round one has, and turns along the fibre.
-// One text for view/rendering/software/curve_inl.h (as many strands as there are lanes) and the shader strand_shade.comp,
-// with the names that curve_formula.inl asks for.
+// One text for view/rendering/software/curve_inl.h (as many strands as there are lanes) and the shader
+// strand_shade.comp, with the names that curve_formula.inl asks for.
 
 const float kSectionTwistsPerM = 5.0F; // Turns of a straight fibre's section, 1/m.
 const float kOwnSectionRad = 1.7F;     // Greatest angle by which the hairs of a lock are out of step.

@@ -213,7 +213,7 @@ private:
     rendering::DetailGovernor m_governor;
     std::optional<Shot> m_shot;
     bool m_outdated = true; ///< The renderer's last picture is not of this shot.
-    QSize m_size;           ///< Of the renderer's last picture, in pixels.
+    QSize m_size;           ///< Size of the renderer's last picture, in pixels.
     QBasicTimer m_steps;    ///< Runs while a finer picture is drawn; other events come between its turns.
     bool m_lost = false;    ///< The context is of no use any more.
     bool m_begun = false;   ///< Whether the renderer has begun a finer picture.

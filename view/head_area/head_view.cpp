@@ -97,7 +97,7 @@ void HeadView::setTheme(const Theme& theme)
 void HeadView::setFrame(std::shared_ptr<const sim::StrandFrame> frame)
 {
     if (frame && (frame->revision < m_firstRevision || !m_scene->isOnHead(*frame)))
-        return; // Of the project, or the head, before this one.
+        return; // It belongs to the project or the head before this one.
     m_frames->setHair(std::move(frame));
 }
 

@@ -16,7 +16,8 @@ namespace hairpaint::view {
 
 namespace {
 
-constexpr double kWantedMs = 29.0; ///< Of a moving frame: thirty a second, when the hair's motion has its time, too.
+/// Time of a moving frame: thirty a second, when the hair's motion has its time, too.
+constexpr double kWantedMs = 29.0;
 
 struct Job
 {

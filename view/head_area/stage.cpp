@@ -66,7 +66,7 @@ rendering::Camera stageOf(rendering::Camera camera, const model::Head& head, con
     return camera;
 }
 
-/// Of a bust the head alone, of other heads everything.
+/// Adds the points of a bust's head alone, and of other heads all.
 void addHead(std::vector<glm::vec3>& pointsWo, const model::Head& head)
 {
     constexpr float kBelowChinM = 0.01F;

@@ -43,7 +43,7 @@ QList<QRectF> PaintCanvas::setMap(std::shared_ptr<const sim::TiledRaster> raster
 
 int PaintCanvas::reachPx() const
 {
-    constexpr int kSmooth = 2; ///< Of a picture that is drawn smaller.
+    constexpr int kSmooth = 2; ///< Reach of the smoothing where the picture is drawn smaller.
     return m_isField ? kFieldHairReachPx : kSmooth;
 }
 

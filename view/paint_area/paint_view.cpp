@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kZoomPerNotch = 1.2;
 constexpr double kWheelNotch = 120.0;
-constexpr double kRefineMs = 4.0; ///< Of a frame's sixteen.
+constexpr double kRefineMs = 4.0; ///< Time for refining in a frame, which has sixteen.
 constexpr int kRestMs = 80;
 
 /// Around all tiles that a change touched, in uv; empty where it names none.

@@ -117,7 +117,7 @@ QWidget* GroupSettingsPanel::makeHairTypes(QWidget* parent)
     box->setObjectName(QStringLiteral("hairType"));
     box->setAccessibleName(tr("Hair type"));
     box->setToolTip(tr("From straight (1) by wavy (2) and curly (3) to coily (4): sets the numbers below"));
-    // Of numbers of one's own there is an entry only while they are there: it is not to be chosen.
+    // The entry "Custom" is there only while the numbers match no type: it is not to be chosen.
     const auto fill = [box](bool isCustom) {
         box->clear();
         for (const model::HairType& type : model::hairTypes())

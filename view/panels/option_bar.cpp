@@ -51,7 +51,7 @@ QWidget* box(QWidget* parent)
 
 } // namespace
 
-/// Of one row. A slider, a switch, or a box with a button for each kind.
+/// The widget of one row: a slider, a switch, or a box with a button for each kind.
 struct OptionBar::Option
 {
     const ToolOption* row = nullptr;

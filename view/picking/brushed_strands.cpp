@@ -38,16 +38,16 @@ SeenStrand strandAt(const PictureHair& picture, const Touch& touch, const Touch&
             .slot = touch.slot};
 }
 
-/// Of a strand the touches that are seen.
+/// The touches of one strand that other hair does not hide.
 struct Candidate
 {
     const Touch* nearest;
     const Touch* first;
     std::uint32_t lastNode; ///< Beyond it the strand is nowhere near the brush.
-    bool isMet;             ///< Else its drawn curve tells.
+    bool isMet;             ///< The brush surely meets it; if false its drawn curve must be tested.
 };
 
-/// `touches` of a block, by strands.
+/// `touches`: of one block, strand by strand.
 void addCandidates(const PictureHair& picture, const TouchedBlocks& touched, std::span<const Touch> touches,
                    const PictureBrush& brush, std::vector<Candidate>& candidates)
 {

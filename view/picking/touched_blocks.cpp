@@ -16,14 +16,15 @@ namespace hairpaint::view {
 namespace {
 
 constexpr std::size_t kBlocksATask = 32;
-constexpr std::size_t kTouchesATask = 1024; ///< Room for so many at first.
-constexpr std::size_t kFirstBlocks = 128;   ///< Of those nearest to the eye; then twice as many each time.
+constexpr std::size_t kTouchesATask = 1024; ///< Touches that a task has room for at first.
+/// Blocks nearest to the eye that are searched first; then twice as many each time.
+constexpr std::size_t kFirstBlocks = 128;
 constexpr float kLeastCellPx = 2.0F;
-constexpr float kCellsAcross = 16.0F;         ///< The brush.
+constexpr float kCellsAcross = 16.0F;         ///< Cells across the brush.
 constexpr std::uint32_t kFrontLanes = 0x1111; ///< One strand of four tells where the foremost hair is.
 constexpr float kBesideBrushPx = 8.0F;        ///< Hair so near to it is looked at, too: a curl may reach in.
 
-/// By strands, root first. What is drawn deeper than `deepestM` is passed over.
+/// Adds the touches of a block, strand by strand, root first; without those whose curve lies deeper than `deepestM`.
 void touchBlock(const PictureHair& picture, std::size_t index, const PictureBrush& brush, float deepestM,
                 BlockAnswer& answer, std::vector<Touch>& touches, FrontHair& front)
 {
