@@ -1,13 +1,13 @@
 // Light on a point of a hair: scattered once by the hair itself, many times by the coat, and held back by the hair and
 // the head in its path. view/rendering/light/ says the same, formula by formula, with the sources.
 
-// Of the light and the eye, both seen from the fibre; inclinations are taken from the plane across it.
+// Angles of the light and the eye, both seen from the fibre; inclinations are measured from the plane across it.
 struct FibreAngles
 {
     float sinI, cosI;
     float sinO, cosO;
     float cosPhi;
-    float cosD; // Half the difference of the inclinations.
+    float cosD; // Cosine of half the difference of the inclinations.
 };
 
 float cosineOf(float sine)

@@ -1,17 +1,18 @@
-// Finds the tiles that the segments between projected points touch: counts them, then enters each where tile_scan.comp has
-// made room for it. One invocation a segment.
+// Finds the tiles that the segments between projected points touch: counts them, then enters each where tile_scan.comp
+// has made room for it. One invocation a segment.
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Projected { uvec4 projected[]; };
-layout(std430, binding = 1) buffer Counts { uint counts[]; };           // Of each tile.
+layout(std430, binding = 1) buffer Counts { uint counts[]; };           // [tiles] number of entries.
 layout(std430, binding = 2) readonly buffer Begins { uint begins[]; };  // All entries; then each tile's first.
-layout(std430, binding = 3) writeonly buffer Entries { uvec2 entries[]; }; // Depth in the tile; number of the first point.
+// Depth in the tile, and number of the segment's first point.
+layout(std430, binding = 3) writeonly buffer Entries { uvec2 entries[]; };
 
 uniform uint pointCount;
 uniform uint firstPoint; // Since no more than 65535 workgroups are promised, points come in runs.
 uniform ivec2 tiles;
 uniform float tileSp;
-uniform uint capacity;   // Of the entries; 0: only count.
+uniform uint capacity;   // Number of entries that there is room for; 0: only count.
 
 void enter(int tile, float depth, uint segment)
 {

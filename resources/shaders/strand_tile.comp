@@ -1,5 +1,5 @@
-// Lays the hair of a tile over it, from the nearest on, with the coverage it has: sorts the tile's segments by depth, then
-// has each invocation see to one sample until nothing can be seen through there. One workgroup a tile.
+// Lays the hair of a tile over it, from the nearest on, with the coverage it has: sorts the tile's segments by depth,
+// then has each invocation see to one sample until nothing can be seen through there. One workgroup a tile.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(std430, binding = 0) readonly buffer Projected { uvec4 projected[]; };
@@ -12,9 +12,9 @@ layout(binding = 3) uniform sampler2D wornMask; // 1 where what is worn is seen.
 layout(rgba16f, binding = 0) writeonly uniform image2D hairSeen; // Light; what is left to see through.
 
 uniform ivec2 tiles;
-uniform int firstRow;  // Of tiles.
-uniform uint capacity; // Of the entries.
-uniform float opaque;  // Less that is left to see through is nothing.
+uniform int firstRow;  // First row of tiles.
+uniform uint capacity; // Number of entries that there is room for.
+uniform float opaque;  // A sample counts as opaque where less than this is left to see through.
 
 const uint kLanes = 64u;
 const uint kBins = 512u;
