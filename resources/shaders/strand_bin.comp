@@ -51,14 +51,15 @@ void main()
     float perMain = abs(mainLength) > 1e-3 ? 1.0 / mainLength : 0.0;
     float depth = packedDepthOf(a);
     float depthRise = packedDepthOf(b) - depth;
-    // Half a tile's diagonal along each axis, as far as the segment's side reaches.
+    // Distance of a tile's middle from the segment's line within which the tile is touched, times the segment's
+    // length.
     float side = (abs(span.x) + abs(span.y)) * (0.5 * tileSp + reach);
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x) {
             vec2 aside = (vec2(x, y) + 0.5) * tileSp - from;
             if (abs(aside.x * span.y - aside.y * span.x) > side)
                 continue;
-            // Where it is in the middle of what lies in the tile.
+            // Depth in the middle of the part that lies in the tile.
             float edge = float(steep ? y : x) * tileSp;
             vec2 ends = (clamp(vec2(mainFrom, mainFrom + mainLength), edge, edge + tileSp) - mainFrom) * perMain;
             enter(y * tiles.x + x, depth + depthRise * clamp(0.5 * (ends.x + ends.y), 0.0, 1.0), i);

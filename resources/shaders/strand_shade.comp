@@ -31,7 +31,7 @@ uniform float outOfCoatVoxels;
 // As the software renderer has them.
 const float kDeepFrom = 0.3; // Coverings of hair in front from which on fewer hairs are drawn, and as few as may be.
 const float kDeepTo = 1.6;
-const float kGreatestWidth = 24.0; // Samples: wider strands would look like straw.
+const float kGreatestWidth = 24.0; // Greatest width, samples: wider strands would look like straw.
 const float kMostSlant = 1.42;
 const float kFadingPart = 0.15;
 const float kNearestDrawnM = 0.01;
@@ -54,7 +54,7 @@ vec3 colourFromBytes(uint bits)
 // grid_lookup_inl.h has it.
 vec3 outOfCoat(vec3 position, vec3 middle, vec3 down, vec3 perDown, float voxel)
 {
-    const float kFacesAway = 3.0; // Over the cosine from which on nothing is moved.
+    const float kFacesAway = 3.0; // One over the cosine from which on nothing is moved.
     vec3 d = position - middle;
     vec3 away = d - down * max(dot(d, perDown), 0.0);
     float per = inversesqrt(max(dot(away, away), 1e-12));
@@ -104,7 +104,7 @@ void main()
     vec3 before = outOfCoatVoxels * voxel;
     vec3 seen = inEyeGrid(vec3(across, clip.w)) - before;
     float inFront = texture(opacityToEye, seen).x;
-    // Out of the coat there may be less, not more.
+    // The position moved out of the coat may only lessen the shade.
     float towardEye = min(inFront, texture(opacityToEye, outOfCoat(seen, eyeCoatMiddle.xyz, eyeCoatDown.xyz, eyeCoatPerDown.xyz,
                                                                    voxel.z)).x);
     float further = texture(opacityToEye, seen + voxel).x;

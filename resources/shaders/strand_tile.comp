@@ -18,7 +18,7 @@ uniform float opaque;  // A sample counts as opaque where less than this is left
 
 const uint kLanes = 64u;
 const uint kBins = 512u;
-// Hair that lies flat dips into the skin here and there; it is shown all the same.
+// Depth below the skin to which hair is shown: hair that lies flat dips in here and there.
 const float kSkinDepthM = 0.015;
 // What is worn hides the hair that it presses down.
 const float kWornDepthM = 0.0005;
@@ -28,9 +28,9 @@ shared uint sums[kLanes];
 shared uint nearest;
 shared uint farthest;
 shared uint open;
-// Segments in their main direction: where that begins and ends, where they are across it and how they go on;
+// Segments along their main direction: begin and end, position across it and its slope;
 shared vec4 lines[kLanes];
-shared vec4 widthsAndDepths[kLanes]; // width, depth and how they go on;
+shared vec4 widthsAndDepths[kLanes]; // width, depth and their slopes;
 shared vec4 lights[kLanes];          // light; w: 1 where the main direction is up;
 shared vec4 lightSteps[kLanes];
 
@@ -55,7 +55,7 @@ void sortBin(uint begin, uint end)
     }
 }
 
-// By depth, equals by number, so that the same scene gives the same picture.
+// Sorts by depth, and where that is equal by number, so that the same scene gives the same picture.
 void sortEntries(uint first, uint count, uint lane)
 {
     if (lane == 0u) {

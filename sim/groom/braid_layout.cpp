@@ -91,7 +91,7 @@ std::uint32_t rounded(std::uint32_t count)
     return count >> dropped << dropped;
 }
 
-/// The radius at which so many hairs are as dense as a braid is seen to be.
+/// Radius r of a braid that `hairs` fill as densely as a real one.
 float filledRadiusM(const GroupSettings& settings, BraidKind kind, std::uint32_t hairs)
 {
     constexpr float kWidthsPerRadius = 0.31F; // A wisp's radius over the width of all its hairs side by side.
@@ -100,8 +100,8 @@ float filledRadiusM(const GroupSettings& settings, BraidKind kind, std::uint32_t
            (static_cast<float>(lacing.wisps) * lacing.wisp);
 }
 
-/// Greedy spacing in the order of ranks, each prefix of which is an even cover, and Lloyd's method: where braids are to
-/// stand.
+/// Where braids are to stand, by greedy spacing in the order of ranks, each prefix of which is an even cover, and
+/// Lloyd's method.
 std::vector<glm::vec3> middlesOf(const RootSet& roots, std::span<const std::uint32_t> sample, float spacingM)
 {
     std::vector<glm::vec3> middles;

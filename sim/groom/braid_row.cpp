@@ -78,7 +78,7 @@ std::size_t furthest(std::span<const float> distances)
     return best;
 }
 
-/// High first, else in front.
+/// How early a row may begin there: greater the higher, and the further in front.
 float beginning(glm::vec3 position)
 {
     constexpr float kForward = 0.5F;
@@ -130,7 +130,7 @@ BraidRow rowAlong(const RootSet& roots, std::span<const std::uint32_t> slots)
             line.push_back(sums[bin] / counts[bin]);
     if (line.size() < 2)
         line = {positions[begin], positions[begin] + roots.tangentHd[slots.front()] * 1e-3F};
-    // Half a bin further out at both ends, where the strip ends.
+    // The strip ends half a bin beyond the means of the first bin and the last.
     const glm::vec3 first = line[0] + (line[0] - line[1]) * 0.5F;
     const glm::vec3 last = line.back() + (line.back() - line[line.size() - 2]) * 0.5F;
     line.insert(line.begin(), first);

@@ -8,8 +8,8 @@ const float kSectionLean = 0.9F;
 
 struct Section
 {
-    Num width; // As the eye sees it, of the round one's.
-    Num glint; // Light that it mirrors, of the round one's.
+    Num width; // Width that the eye sees, over a round fibre's.
+    Num glint; // Light that it mirrors, over a round fibre's.
     Num lean;  // By how much its scales stand elsewhere, as twice the half angle's sine; see turnedBy().
 };
 

@@ -14,9 +14,9 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr float kLowestHairM = 0.0006F; ///< Height of the lowest hair over the skin.
-constexpr float kOutOfRootM = 0.006F;   ///< Length from its root over which a hair comes to its height.
+constexpr float kOutOfRootM = 0.006F;   ///< Length from its root over which a hair rises to its height.
 constexpr float kHalfReachM = 0.06F;    ///< Length of a course whose hair lies in the middle of the layers.
-constexpr float kOwnLayer = 0.25F;      ///< Part of a hair's layer that is by chance.
+constexpr float kOwnLayer = 0.25F;      ///< Fraction of a hair's layer that is by chance.
 constexpr float kTailStepM = 0.01F;
 constexpr std::size_t kTailPoints = 96;
 constexpr float kTailBendM = 0.06F; ///< Length from the ring within which a tail has turned down.

@@ -78,7 +78,7 @@ float strandHash(const Groom& groom, std::size_t basisIndex)
 
 float bendingGain(float stiffnessM, float segmentM)
 {
-    constexpr float kStiffest = 1e7F; // A matrix of floats holds no more, and nothing bends long before.
+    constexpr float kStiffest = 1e7F; // Floats in the bending matrix allow no more; hair is rigid long before.
     if (!(segmentM > 0.0F))
         return 0.0F;
     const float segment2 = segmentM * segmentM;
@@ -88,7 +88,7 @@ float bendingGain(float stiffnessM, float segmentM)
 
 float holdGain(float gel)
 {
-    // 0.3 sags under gravity by 2.5 cm, and each tenth more by half of the tenth before.
+    // Hair with gel of 0.3 sags under gravity by 2.5 cm, and with each tenth more by half as much.
     constexpr float kSagM = 0.025F;
     constexpr float kLn2 = 0.6931472F;
     // Gel of 1 holds against any force.
@@ -129,7 +129,7 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
     state.field(basisIndex, kInverseSquare) = segment > 0.0F ? 1.0F / (segment * segment) : 0.0F;
     state.field(basisIndex, kBend) = bendingGain(physics.stiffnessM, segment);
     state.field(basisIndex, kHold) = hold;
-    // A braid is no coat: its weight hangs where it likes.
+    // A braid is no coat: its weight is not carried.
     const bool isBraided = basis[BasisQuantity::Girth][basisIndex] > 0.0F;
     state.field(basisIndex, kLoft) = isBraided ? 0.0F : loftGain(physics.loft);
     state.field(basisIndex, kHoldKeep) = damped(hold / (1.0F + hold));

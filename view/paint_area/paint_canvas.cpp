@@ -10,7 +10,7 @@ namespace hairpaint::view {
 
 namespace {
 
-/// Landmarks are named where the map is at least that large, and until the user has zoomed in on a detail.
+/// Least and greatest size of the map at which landmarks are named.
 constexpr double kLeastLabelledPx = 320.0;
 constexpr double kMostLabelledPx = 6000.0;
 

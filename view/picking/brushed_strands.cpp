@@ -59,7 +59,7 @@ void addCandidates(const PictureHair& picture, const TouchedBlocks& touched, std
         for (; i < touches.size() && touches[i].slot == slot; ++i) {
             const Touch& touch = touches[i];
             last = touch.node;
-            // Seen or not matters only of the first and of what is nearer than others.
+            // Only the first touch, and those nearer than the best so far, need the test whether they are hidden.
             if ((first != nullptr && touch.apartPx >= best->apartPx) || touched.hides(touch) ||
                 picture.skin.hides(touch.seen))
                 continue;
@@ -90,7 +90,7 @@ std::uint32_t lanesMet(CurveBatch& batch, std::uint32_t lanes, const PictureBrus
     return met;
 }
 
-/// Looks at the drawn curves of those of which it is not known, as many at once as there are lanes.
+/// Tests the drawn curves of candidates for which isMet is not known yet, as many at once as there are lanes.
 void meetCurves(const PictureHair& picture, const PictureBrush& brush, std::vector<Candidate>& candidates)
 {
     CurveBatch batch(picture);

@@ -194,7 +194,7 @@ void Recording::bands(MapKind map, const std::vector<Band>& bands, float fromDeg
         std::vector<float> apartM(points.size());
         for (std::size_t point = 0; point < points.size(); ++point)
             apartM[point] = glm::distance(points[point].positionHd, next[point].positionHd);
-        // Not the widest: beside an ear a band would be as wide as the ear stands off.
+        // Not the widest distance: beside an ear the band would be as wide as the ear stands off.
         std::ranges::sort(apartM);
         brush(map, bands[i].value, {.sizeM = 2.0F * apartM[apartM.size() * 3 / 4], .hardness = 0.0F}, points);
     }

@@ -128,7 +128,7 @@ void Buffer::read(void* data, std::size_t bytes) const
 
 std::size_t mostBytesOfABuffer()
 {
-    constexpr GLint64 kLeast = 1 << 24; // That OpenGL promises.
+    constexpr GLint64 kLeast = 1 << 24; // The least size that OpenGL guarantees.
     GLint64 bytes = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
     return static_cast<std::size_t>(std::max(bytes, kLeast));

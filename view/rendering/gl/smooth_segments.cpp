@@ -36,7 +36,7 @@ SegmentsWanted segmentsWanted(const sim::GroupFrame& group, const FrameConstants
     group.forEachPositionedBlock([&](std::size_t) { ++blocks; });
     const std::size_t step = std::max<std::size_t>(1, blocks / kBlocksMeasured);
     std::size_t number = 0;
-    std::vector<float> bends; // Samples between a node and the middle of its neighbours, twice.
+    std::vector<float> bends; // Twice the distance of a node from the middle of its neighbours, samples.
     float nearest = 0.0F;
     group.forEachPositionedBlock([&](std::size_t block) {
         if (number++ % step != 0)

@@ -23,7 +23,7 @@ struct alignas(32) ScreenSegment
     std::array<std::uint32_t, 2> colour; ///< As in StrandPoints.
 };
 
-/// Where the segments of a block lie. Rows [segment][kBlockLanes].
+/// Tiles, depths and widths of the segments of a block. Rows [segment][kBlockLanes].
 struct SegmentBounds
 {
     std::vector<std::uint32_t> lanes;  ///< [segment], a bit a lane: those that are seen in the picture.

@@ -66,8 +66,8 @@ struct SoftwareRenderer::State
     glm::ivec2 shadeSize{0};
     int shadeCell = kCoarseShadeCell;
     std::vector<std::uint8_t> drawn;  ///< The unfinished picture.
-    std::vector<std::uint8_t> pixels; ///< The last finished one.
-    std::vector<float> drawnLinear;   ///< Likewise, empty where it is not wanted.
+    std::vector<std::uint8_t> pixels; ///< The last finished picture.
+    std::vector<float> drawnLinear;   ///< The unfinished picture in linear light; empty where it is not wanted.
     std::vector<float> linear;
     std::optional<Picture> underWay;
 
@@ -111,7 +111,7 @@ void SoftwareRenderer::State::drawBatches(std::size_t count)
     underWay->nextBatch += count;
 }
 
-/// Between hair and tiles.
+/// Prepares the tiles, after the last batch of hair.
 void SoftwareRenderer::State::readyTiles()
 {
     segments.clear();
@@ -216,7 +216,7 @@ void SoftwareRenderer::State::drawTiles(std::size_t count)
     underWay->nextTile += count;
 }
 
-/// Begins with `rows` rows of tiles from that one on.
+/// Begins to draw `rows` rows of tiles from `firstUp` on.
 void SoftwareRenderer::State::drawRows(int firstUp, int rows)
 {
     hair.setRows(firstUp, std::min(firstUp + rows, hair.tiles().up));
@@ -256,7 +256,7 @@ bool SoftwareRenderer::State::piece(std::size_t batches, std::size_t tiles)
     return true;
 }
 
-/// Makes it the last finished picture.
+/// Makes the unfinished picture the last finished one.
 void SoftwareRenderer::State::finish(bool inSteps)
 {
     const Picture& picture = *underWay;

@@ -20,8 +20,8 @@ namespace hairpaint::rendering::HWY_NAMESPACE {
 
 constexpr float kDeepFrom = 0.3F;       ///< Coverings of hair in front from which on fewer hairs are drawn,
 constexpr float kDeepTo = 1.6F;         ///< and from which on StrandView::deepFraction of them are.
-constexpr float kLeastShade = 0.05F;    ///< Coverings: less needs no second look at what casts it.
-constexpr float kGreatestWidth = 24.0F; ///< Samples: wider strands would look like straw.
+constexpr float kLeastShade = 0.05F;    ///< Coverings above which the eye's grid is read again, out of the coat.
+constexpr float kGreatestWidth = 24.0F; ///< Greatest width, samples: wider strands would look like straw.
 constexpr float kMostSlant = 1.42F;
 constexpr int kMostJoinedSpans = 4; ///< Most spans in one segment: light is computed at its ends only.
 constexpr float kNearestDrawnM = 0.01F;
@@ -45,7 +45,8 @@ HWY_INLINE Lanes biggest(Lanes a)
     return Lanes(hn::MaxOfLanes(Tag(), a.v));
 }
 
-/// Where a last segment as long as its span would thin out over too much, and the hair is straight enough there.
+/// SpanSegments::tipAlong: above 0 where a last segment as long as its span would thin out over too much, and the hair
+/// is straight enough there.
 float tipAlongOf(const StrandView& view, const StrandBlock& block, const SpanSegments& segments,
                  const std::array<float, kMostNodes>& bendAt)
 {
@@ -78,7 +79,7 @@ bool bendsWithin(const StrandBlock& block, float from, float to)
 void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegments& segments)
 {
     constexpr std::size_t kRow = 3 * kMostLanes;
-    std::array<float, kMostNodes> bendAt{}; // Samples, at each node.
+    std::array<float, kMostNodes> bendAt{}; // [nodes] greatest second difference of the strands' nodes, samples.
     float turnSegments = 0.0F;
     for (std::size_t lane = 0; lane < kMostLanes; lane += hn::Lanes(Tag())) {
         const float* nodes = block.nodesWo.data() + lane;
@@ -111,7 +112,7 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
             const Lanes swings = select((kind > Lanes(3.5F)) & (kind < Lanes(5.5F)), Lanes(2.0F), Lanes(1.0F));
             const Lanes plaited = loaded(block.braidTurns.data() + lane) * swings *
                                   most(braid * Lanes(2.0F * 3.1416F), Lanes(16.0F)) / behindStart;
-            if (block.anyFrizz) // What strays by less than a sample needs few.
+            if (block.anyFrizz) // Frizz of less than a sample needs few segments.
                 wanted =
                     most(wanted, loaded(block.frizzRad.data() + lane) *
                                      root(loaded(block.frizzM.data() + lane) * scale) * Lanes(0.5F * kFollowedWaves));
@@ -147,15 +148,15 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
     segments.tipAlong = tipAlongOf(view, block, segments, bendAt);
 }
 
-/// Square root of the light's part of the most in 10 bits.
+/// Square root of light / kMostLight in 10 bits.
 HWY_INLINE Ints tenBits(Lanes light)
 {
     const Lanes part = clamped(light * Lanes(1.0F / kMostLight), 0.0F, 1.0F);
     return hn::ConvertTo(IntTag(), (root(part) * Lanes(1023.0F) + Lanes(0.5F)).v);
 }
 
-/// How much wider a hair is drawn where it stands for others: those that come late thin out to nothing, over a part of
-/// the others, so that none appears or goes at once.
+/// Factor on a hair's width where it stands for others that are not drawn. Hairs of high order thin out to nothing, so
+/// that none appears or vanishes at once.
 HWY_INLINE Lanes wideningOf(const StrandView& view, Lanes order, Lanes towardEye)
 {
     const Lanes fraction = mixed(Lanes(view.fraction), Lanes(view.fraction * view.deepFraction),
