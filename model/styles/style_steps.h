@@ -17,7 +17,7 @@ struct StyleStep
     friend bool operator==(const StyleStep&, const StyleStep&) = default;
 };
 
-inline constexpr std::size_t kMostSteps = 256; ///< Of a style.
+inline constexpr std::size_t kMostSteps = 256; ///< Steps that a style holds at most.
 inline constexpr int kMostStepUses = 100000;
 
 /// Counts the last step once more where it is the same.

@@ -37,7 +37,8 @@ uint nodeIndex(uint slot, int node, int nodes)
 
 const float kPi = 3.14159265;
 
-// Of a point whose normalised device x and y and distance along the view are given: 0..1 in the grid away from the eye.
+// Position of a point in the grid away from the eye, 0..1. `seen`: the point's normalised device x and y, and its
+// distance along the view.
 vec3 inEyeGrid(vec3 seen)
 {
     return (seen - eyeGrid[0].xyz) * eyeGrid[1].xyz;
@@ -92,13 +93,14 @@ float unitHash(uint x)
     return float(hashOf(x) >> 8) * (1.0 / 16777216.0);
 }
 
-// How many times as long as its taper a strand is, at least 1: it thins out over the last part of that.
+// A strand's length over its taper's, at least 1.
 float perTaperOf(float lengthM, float taperM)
 {
     return taperM > 0.0 ? max(lengthM / taperM, 1.0) : 1.0;
 }
 
-// Of the strand at point j of so many segments: evenly, but the one before the tip not before the taper begins.
+// Fraction of the strand at point j of so many segments: evenly, but the point before the tip is not before the taper's
+// begin.
 float fractionOf(int j, int segments, float perTaper)
 {
     float s = float(j) / float(segments);

@@ -1,13 +1,13 @@
-// Sums each column of an opacity grid away from the light or the eye (after deep opacity maps, Yuksel and Keyser 2008, in even
-// layers), and clears it for the next frame. Out: hair's area over the area it covers. One invocation a column.
+// Sums each column of an opacity grid away from the light or the eye (after deep opacity maps, Yuksel and Keyser 2008,
+// in even layers), and clears it for the next frame. Out: hair's area over the area it covers. One invocation a column.
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 3) buffer Voxels { uint voxels[]; };
 layout(r32f, binding = 0) writeonly uniform image3D opacity;
 
 uniform int gridSide;
-uniform int firstLayer; // Of this grid in the voxels; 0: the light's.
-uniform float unit; // Opacity of one voxel unit.
+uniform int firstLayer; // First layer of this grid in the voxels; 0 in the light's grid.
+uniform float unit; // Opacity of a voxel's unit.
 
 const float kMostOfVoxel = 2.5; // As in view/rendering/eye_grid.h.
 

@@ -1,13 +1,13 @@
 // Light on a point of a hair: scattered once by the hair itself, many times by the coat, and held back by the hair and
 // the head in its path. view/rendering/light/ says the same, formula by formula, with the sources.
 
-// Of the light and the eye, both seen from the fibre; inclinations are taken from the plane across it.
+// Angles of the light and the eye, both seen from the fibre; inclinations are measured from the plane across it.
 struct FibreAngles
 {
     float sinI, cosI;
     float sinO, cosO;
     float cosPhi;
-    float cosD; // Half the difference of the inclinations.
+    float cosD; // Cosine of half the difference of the inclinations.
 };
 
 float cosineOf(float sine)
@@ -142,7 +142,7 @@ vec4 passedThrough(float crossed, vec3 depth)
     return vec4(direct + (1.0 - direct) * 0.7 * absorbed(crossed * (depth + 0.07)), direct);
 }
 
-// What of a far light the head lets by: an umbra of its size with a soft edge.
+// Fraction of a far light that passes the head: an umbra of its size with a soft edge.
 float besideHead(vec3 fromHead, float radiusM, vec3 toward)
 {
     float along = dot(fromHead, toward);
@@ -159,8 +159,8 @@ struct HairPoint
     vec3 depth;
     float turned; // turnedBy() of this hair.
     float towardKey, towardEye, towardRim;
-    float shine;     // This hair's own, of the group's;
-    float sharpness; // how many times as sharp as the group's its highlights are.
+    float shine;     // This hair's factor on the group's shine.
+    float sharpness; // Sharpness of its highlights over the group's.
 };
 
 // By how much a fibre's lobes stand elsewhere than those of its neighbours; see hair_light_inl.h.
@@ -177,7 +177,7 @@ float drawnGloss(float white, float cosPhi)
     return white / (1.0 + white * (1.0 - cosPhi) * 6.0);
 }
 
-const float kCoat = 1.1; // Evens out what the coat keeps in its own shade.
+const float kCoat = 1.1; // Makes up for the light that the coat's own shade takes, see hair_light_inl.h.
 const int kMarschner = 0;
 const int kKajiyaKay = 1;
 const int kAll = 0; // Lobes that a light needs.

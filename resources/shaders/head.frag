@@ -4,7 +4,7 @@ in vec3 skinHd;
 in vec3 skinWo;
 in vec3 normalWo;
 in vec4 marks; // Sky, lips, lids, blush.
-in vec4 tint; // Of the scalp, times its cover.
+in vec4 tint; // The scalp's tint: linear colour times cover, and cover.
 layout(location = 0) out vec4 rootColour;
 in vec2 skinUv;
 uniform sampler2D skinTexture;

@@ -1,17 +1,18 @@
-// Finds the tiles that the segments between projected points touch: counts them, then enters each where tile_scan.comp has
-// made room for it. One invocation a segment.
+// Finds the tiles that the segments between projected points touch: counts them, then enters each where tile_scan.comp
+// has made room for it. One invocation a segment.
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Projected { uvec4 projected[]; };
-layout(std430, binding = 1) buffer Counts { uint counts[]; };           // Of each tile.
+layout(std430, binding = 1) buffer Counts { uint counts[]; };           // [tiles] number of entries.
 layout(std430, binding = 2) readonly buffer Begins { uint begins[]; };  // All entries; then each tile's first.
-layout(std430, binding = 3) writeonly buffer Entries { uvec2 entries[]; }; // Depth in the tile; number of the first point.
+// Depth in the tile, and number of the segment's first point.
+layout(std430, binding = 3) writeonly buffer Entries { uvec2 entries[]; };
 
 uniform uint pointCount;
 uniform uint firstPoint; // Since no more than 65535 workgroups are promised, points come in runs.
 uniform ivec2 tiles;
 uniform float tileSp;
-uniform uint capacity;   // Of the entries; 0: only count.
+uniform uint capacity;   // Number of entries that there is room for; 0: only count.
 
 void enter(int tile, float depth, uint segment)
 {
@@ -50,14 +51,15 @@ void main()
     float perMain = abs(mainLength) > 1e-3 ? 1.0 / mainLength : 0.0;
     float depth = packedDepthOf(a);
     float depthRise = packedDepthOf(b) - depth;
-    // Half a tile's diagonal along each axis, as far as the segment's side reaches.
+    // Distance of a tile's middle from the segment's line within which the tile is touched, times the segment's
+    // length.
     float side = (abs(span.x) + abs(span.y)) * (0.5 * tileSp + reach);
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x) {
             vec2 aside = (vec2(x, y) + 0.5) * tileSp - from;
             if (abs(aside.x * span.y - aside.y * span.x) > side)
                 continue;
-            // Where it is in the middle of what lies in the tile.
+            // Depth in the middle of the part that lies in the tile.
             float edge = float(steep ? y : x) * tileSp;
             vec2 ends = (clamp(vec2(mainFrom, mainFrom + mainLength), edge, edge + tileSp) - mainFrom) * perMain;
             enter(y * tiles.x + x, depth + depthRise * clamp(0.5 * (ends.x + ends.y), 0.0, 1.0), i);

@@ -1,5 +1,5 @@
-// Walks each strand's skeleton and adds curl and braid by sim/groom/curve_formula.inl, as sim/groom/strand_curve.h for the CPU.
-// In: skeletons, Wo, m. Out: points, Wo, m; w holds the strand's number as bits. One invocation a strand.
+// Walks each strand's skeleton and adds curl and braid by sim/groom/curve_formula.inl, as sim/groom/strand_curve.h does
+// on the CPU. In: skeletons, Wo, m. Out: points, Wo, m; w holds the strand's number as bits. One invocation a strand.
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Strands { DrawnStrand strands[]; }; // One more at the end.
@@ -15,7 +15,7 @@ uniform int nodes;
 uniform int isCoiled; // Curls by sim::CurlSettings, else by equation 1.
 uniform vec4 coil;    // Its inStepFromM, switchbacksPerM, skips, flatness,
 uniform vec2 uncoil;  // uncoil and straightM.
-uniform float taperM; // Of the group's material.
+uniform float taperM; // StrandMaterial::taperM of the group.
 
 vec3 node(uint slot, int k)
 {

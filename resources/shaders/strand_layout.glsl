@@ -8,7 +8,7 @@ const uint kTautBit = 0x8000u;
 struct DrawnStrand
 {
     uint slot;       // In the order of the frame's positions.
-    uint firstPoint; // Of segments + 1.
+    uint firstPoint; // The strand has a point more than segments.
 };
 
 // What a strand looks like: sim::StrandStyle, with its root's tangent.
@@ -28,11 +28,11 @@ struct PackedStyle
     float wispOffsetX;
     float wispOffsetY;
     float variation;
-    float order;    // 0..1: hairs of a low one stand for the others where not all are drawn.
+    float order;    // 0..1: where not all hairs are drawn, those of the lowest order are.
     float lengthM;
     float frizzM;
-    float shine;     // Of the group's, as its gloss has it,
-    float sharpness; // and of how sharp the highlights are.
+    float shine;     // Its gloss's factor on the group's shine.
+    float sharpness; // Its gloss's factor on the sharpness of highlights.
     float tipStart; // 0..1 of the rest of its length beyond where the group's tip colours begin.
     uint tangentHd; // A unit vector in an octahedron's two coordinates, as unpackSnorm2x16 reads them.
 };

@@ -1,5 +1,5 @@
-// Lights each point of the strands and projects it to samples. A strand's width says how much of the samples it covers; where
-// fewer hairs stand for all, those that come late thin out to nothing. One invocation a point.
+// Lights each point of the strands and projects it to samples. A strand's width says how much of the samples it covers;
+// where fewer hairs stand for all, those of the highest order thin out to nothing. One invocation a point.
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Strands { DrawnStrand strands[]; };
@@ -13,29 +13,29 @@ layout(binding = 1) uniform sampler3D opacityToEye;
 uniform uint firstStrand;
 uniform uint firstProjected; // Where the first of these points goes.
 uniform uint pointCount;
-uniform float fraction;      // Of the hairs that are drawn, as much wider,
-uniform float deepFraction;  // and of those where others hide them.
+uniform float fraction;      // Fraction of the hairs that are drawn; they are widened to cover as much.
+uniform float deepFraction;  // Fraction of those that is left where others hide them.
 uniform float undrawnCoverings;
-uniform bool inEveryColumn;  // Those lie in each of the columns around, not only between them.
+uniform bool inEveryColumn;  // Those must lie in each of the columns around, not only interpolated between them.
 uniform vec4 material;       // Shine, roughness, alpha at root and tip.
-uniform float taperM;        // Over which a hair thins out to its tip; 0: over all of it.
-uniform vec2 tipFromOver;    // Where tip colours begin, of the length, and over how much of the rest; see sim::tipMixOf.
+uniform float taperM;        // Length over which a hair thins out to its tip, m; 0: over all of it.
+uniform vec2 tipFromOver;    // StrandMaterial::tipFrom and tipOver; see sim::tipMixOf().
 uniform float groupWidthM;   // Diameter of a hair whose width is 1.
 uniform float variationScale;
-uniform float sectionAxes;    // Of a fibre's section, 1 where it is round.
+uniform float sectionAxes;    // Longest over shortest diameter of a fibre's section; 1 where it is round.
 // rendering::CoatAxis in the light's grid and the eye's.
 uniform vec4 lightCoatMiddle, lightCoatDown, lightCoatPerDown;
 uniform vec4 eyeCoatMiddle, eyeCoatDown, eyeCoatPerDown;
 uniform float outOfCoatVoxels;
 
 // As the software renderer has them.
-const float kDeepFrom = 0.3; // Coverings.
+const float kDeepFrom = 0.3; // Coverings of hair in front from which on fewer hairs are drawn, and as few as may be.
 const float kDeepTo = 1.6;
-const float kGreatestWidth = 24.0; // Samples: wider strands would look like straw.
+const float kGreatestWidth = 24.0; // Greatest width, samples: wider strands would look like straw.
 const float kMostSlant = 1.42;
 const float kFadingPart = 0.15;
 const float kNearestDrawnM = 0.01;
-const float kSharpestTip = 1e-3; // Of the length.
+const float kSharpestTip = 1e-3; // Least fraction of the length over which the colour changes.
 
 // The arithmetic that the formula is written in.
 #define Num float
@@ -54,7 +54,7 @@ vec3 colourFromBytes(uint bits)
 // grid_lookup_inl.h has it.
 vec3 outOfCoat(vec3 position, vec3 middle, vec3 down, vec3 perDown, float voxel)
 {
-    const float kFacesAway = 3.0; // Over the cosine from which on nothing is moved.
+    const float kFacesAway = 3.0; // One over the cosine from which on nothing is moved.
     vec3 d = position - middle;
     vec3 away = d - down * max(dot(d, perDown), 0.0);
     float per = inversesqrt(max(dot(away, away), 1e-12));
@@ -104,7 +104,7 @@ void main()
     vec3 before = outOfCoatVoxels * voxel;
     vec3 seen = inEyeGrid(vec3(across, clip.w)) - before;
     float inFront = texture(opacityToEye, seen).x;
-    // Out of the coat there may be less, not more.
+    // The position moved out of the coat may only lessen the shade.
     float towardEye = min(inFront, texture(opacityToEye, outOfCoat(seen, eyeCoatMiddle.xyz, eyeCoatDown.xyz, eyeCoatPerDown.xyz,
                                                                    voxel.z)).x);
     float further = texture(opacityToEye, seen + voxel).x;

@@ -1,5 +1,5 @@
-// Lays the hair of a tile over it, from the nearest on, with the coverage it has: sorts the tile's segments by depth, then
-// has each invocation see to one sample until nothing can be seen through there. One workgroup a tile.
+// Lays the hair of a tile over it, from the nearest on, with the coverage it has: sorts the tile's segments by depth,
+// then has each invocation see to one sample until nothing can be seen through there. One workgroup a tile.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(std430, binding = 0) readonly buffer Projected { uvec4 projected[]; };
@@ -12,13 +12,13 @@ layout(binding = 3) uniform sampler2D wornMask; // 1 where what is worn is seen.
 layout(rgba16f, binding = 0) writeonly uniform image2D hairSeen; // Light; what is left to see through.
 
 uniform ivec2 tiles;
-uniform int firstRow;  // Of tiles.
-uniform uint capacity; // Of the entries.
-uniform float opaque;  // Less that is left to see through is nothing.
+uniform int firstRow;  // First row of tiles.
+uniform uint capacity; // Number of entries that there is room for.
+uniform float opaque;  // A sample counts as opaque where less than this is left to see through.
 
 const uint kLanes = 64u;
 const uint kBins = 512u;
-// Hair that lies flat dips into the skin here and there; it is shown all the same.
+// Depth below the skin to which hair is shown: hair that lies flat dips in here and there.
 const float kSkinDepthM = 0.015;
 // What is worn hides the hair that it presses down.
 const float kWornDepthM = 0.0005;
@@ -28,9 +28,9 @@ shared uint sums[kLanes];
 shared uint nearest;
 shared uint farthest;
 shared uint open;
-// Segments in their main direction: where that begins and ends, where they are across it and how they go on;
+// Segments along their main direction: begin and end, position across it and its slope;
 shared vec4 lines[kLanes];
-shared vec4 widthsAndDepths[kLanes]; // width, depth and how they go on;
+shared vec4 widthsAndDepths[kLanes]; // width, depth and their slopes;
 shared vec4 lights[kLanes];          // light; w: 1 where the main direction is up;
 shared vec4 lightSteps[kLanes];
 
@@ -55,7 +55,7 @@ void sortBin(uint begin, uint end)
     }
 }
 
-// By depth, equals by number, so that the same scene gives the same picture.
+// Sorts by depth, and where that is equal by number, so that the same scene gives the same picture.
 void sortEntries(uint first, uint count, uint lane)
 {
     if (lane == 0u) {

@@ -59,7 +59,7 @@ HWY_INLINE float exponentOf(float x, float& mantissa)
     mantissa = std::bit_cast<float>((bits & 0x007FFFFFU) | 0x3F800000U);
     return static_cast<float>(static_cast<std::int32_t>(bits >> 23U) - 127);
 }
-/// Of a positive normal number, within 1e-5.
+/// Base-2 logarithm of a positive normal number, absolute error under 1e-5.
 template<class F>
 HWY_INLINE F log2Of(F x)
 {
@@ -81,7 +81,7 @@ HWY_INLINE F powerOf(F x, F power)
 template<class F>
 HWY_INLINE F sinOf(F x)
 {
-    const F turns = floored(x * F(0.318309886F) + F(0.5F)); // Half turns.
+    const F turns = floored(x * F(0.318309886F) + F(0.5F)); // Number of half turns.
     F r = x - turns * F(3.140625F);
     r = r - turns * F(9.67653589793e-4F);
     const F s = r * r;

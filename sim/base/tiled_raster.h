@@ -32,7 +32,7 @@ inline constexpr std::size_t kTileTexels = std::size_t{64} * 64;
 [[nodiscard]] std::vector<std::uint16_t> expanded(const RasterTile& tile, int channels);
 /// The same texels, as one value where they are all equal.
 [[nodiscard]] RasterTile folded(RasterTile tile);
-/// However either of them is stored.
+/// Whether two tiles have equal texels, however either of them is stored.
 [[nodiscard]] bool sameTexels(const RasterTile& a, const RasterTile& b);
 
 /// Half-open rectangle of texels.
@@ -100,11 +100,11 @@ public:
     /// Bytes of pixels held by this raster, counting shared tiles in full.
     [[nodiscard]] std::size_t byteCount() const;
 
-    friend bool operator==(const TiledRaster& a, const TiledRaster& b); ///< By texels.
+    friend bool operator==(const TiledRaster& a, const TiledRaster& b); ///< Compares texels.
 
 private:
-    [[nodiscard]] const std::uint16_t* channelsAt(int x, int y) const; ///< Of one texel.
-    /// The same of four neighbours: first, to its right, below it, last.
+    [[nodiscard]] const std::uint16_t* channelsAt(int x, int y) const; ///< The channels of one texel.
+    /// The channels of four neighbours: first, to its right, below it, last.
     [[nodiscard]] std::array<const std::uint16_t*, 4> corners(glm::ivec2 first, glm::ivec2 last) const;
 
     int m_size;

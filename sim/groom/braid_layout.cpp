@@ -17,10 +17,11 @@ namespace {
 
 constexpr std::uint32_t kSampledRanks = 32768; ///< Roots are chosen among these, which cover the skin evenly,
 constexpr std::size_t kFewSampled = 32;        ///< and where a patch has fewer of them, among all of its hairs.
-constexpr std::size_t kMostBraids = 256;       ///< Of a patch; bounds the time that a tiny spacing would take.
+/// Greatest number in a patch; bounds the time that a tiny spacing would take.
+constexpr std::size_t kMostBraids = 256;
 constexpr int kLloydSteps = 4;
 constexpr float kShortestM = 0.005F;
-constexpr float kMostCornrowM = 0.002F; ///< Its radius: so it keeps within 6 mm of the skin.
+constexpr float kMostCornrowM = 0.002F; ///< Greatest radius of a cornrow, which so keeps within 6 mm of the skin.
 constexpr std::size_t kHairsAtOnce = 4096;
 
 float squaredDistance(glm::vec3 a, glm::vec3 b)
@@ -90,7 +91,7 @@ std::uint32_t rounded(std::uint32_t count)
     return count >> dropped << dropped;
 }
 
-/// The radius at which so many hairs are as dense as a braid is seen to be.
+/// Radius r of a braid that `hairs` fill as densely as a real one.
 float filledRadiusM(const GroupSettings& settings, BraidKind kind, std::uint32_t hairs)
 {
     constexpr float kWidthsPerRadius = 0.31F; // A wisp's radius over the width of all its hairs side by side.
@@ -99,8 +100,8 @@ float filledRadiusM(const GroupSettings& settings, BraidKind kind, std::uint32_t
            (static_cast<float>(lacing.wisps) * lacing.wisp);
 }
 
-/// Greedy spacing in the order of ranks, each prefix of which is an even cover, and Lloyd's method: where braids are to
-/// stand.
+/// Where braids are to stand, by greedy spacing in the order of ranks, each prefix of which is an even cover, and
+/// Lloyd's method.
 std::vector<glm::vec3> middlesOf(const RootSet& roots, std::span<const std::uint32_t> sample, float spacingM)
 {
     std::vector<glm::vec3> middles;
@@ -262,7 +263,7 @@ void BraidLayout::plant(const Inputs& inputs, std::size_t begin, std::size_t end
     }
     // The hair nearest to the middle, or the solved hair of the same cell that is nearest to that, if it is about
     // there.
-    constexpr float kAboutThere = 1.5F; // Of the solved hairs' spacing.
+    constexpr float kAboutThere = 1.5F; // Greatest distance of such a solved hair, over the solved hairs' spacing.
     constexpr float kFar = std::numeric_limits<float>::max();
     const float aboutM =
         kAboutThere * std::sqrt(static_cast<float>(roots.skin->areaM2()) / static_cast<float>(roots.basisSlot.size()));

@@ -12,12 +12,13 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr std::size_t kSamples = 17;   ///< Of the part on the scalp.
-constexpr float kLiftM = 0.002F;       ///< Hairs on their path lie on those below them,
-constexpr float kLiftFraction = 0.05F; ///< and are lifted by this fraction of it: a few nodes must clear a round head.
-constexpr float kPitchRadii = 9.0F;    ///< Length of one turn of equation 3, in its radius r.
-constexpr float kFourPitch = 1.4F;     ///< That of flat plaits, in those of a plait of three.
-constexpr float kFivePitch = 1.8F;
+constexpr std::size_t kSamples = 17; ///< Points of a hair's path over the scalp.
+constexpr float kLiftM = 0.002F;     ///< Lift of the path's middle: hairs lie on those below them.
+/// Lift added to that, as a fraction of the path's chord: a few nodes must clear a round head.
+constexpr float kLiftFraction = 0.05F;
+constexpr float kPitchRadii = 9.0F; ///< Length of one turn of equation 3, in its radius r.
+constexpr float kFourPitch = 1.4F;  ///< Pitch of a flat plait of four strands over that of a plait of three,
+constexpr float kFivePitch = 1.8F;  ///< and of five.
 
 float lengthOf(glm::vec3 v)
 {
@@ -59,8 +60,8 @@ float pitchOf(BraidKind kind)
     return kind == BraidKind::PlaitOfFour ? kFourPitch : kind == BraidKind::PlaitOfFive ? kFivePitch : 1.0F;
 }
 
-/// How far hairs spread, in their wisp's radius, by which it touches those that it crosses: between three that meet,
-/// and in flat braids between those that run side by side, one would see through.
+/// How far hairs spread, over their wisp's radius, at which it touches the wisps that it crosses. More than 1 where
+/// there would be gaps: between three wisps that meet, and between those that run side by side in flat braids.
 float spreadOf(BraidKind kind)
 {
     switch (kind) {
@@ -116,7 +117,8 @@ glm::vec2 inItsStrand(glm::vec2 offset)
     return offset + (nearest - offset) * kDrawn;
 }
 
-/// Some hairs leave their wisp: the more the frizzier they are and the looser it is laced.
+/// Factor on a hair's offset in its wisp, 1 for most. Some hairs leave it: more the frizzier they are and the looser
+/// the braid is laced.
 float astray(const GroupSettings& settings, const StrandStyle& style)
 {
     constexpr float kPerMetre = 15.0F;
@@ -191,7 +193,7 @@ float braidGirthM(BraidKind kind, float radiusM)
 
 float braidBeginsAboveM(BraidKind kind, float radiusM)
 {
-    // There it is one bundle, which lies on the skin.
+    // At its begin a braid is one bundle, which lies on the skin.
     constexpr float kPressed = 0.9F;
     const BraidLacing lacing = lacingOf(kind);
     const float bundleM = kPressed * (kBraidFirstFraction * lacing.path.x + kWispFirstFraction * lacing.wisp) * radiusM;

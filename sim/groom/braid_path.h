@@ -9,7 +9,7 @@
 
 namespace hairpaint::sim {
 
-/// Of styles alone, beside those that are painted: the rope of a bun, wound about its tie.
+/// The rope of a bun, wound about its tie: a kind that only styles have, no map.
 inline constexpr BraidKind kCoilKind{8};
 
 /// The node that stands on the centre's root: the first quarter of the skeleton gathers, the rest is the braid. The
@@ -21,13 +21,13 @@ inline constexpr BraidKind kCoilKind{8};
 [[nodiscard]] float braidRest(const RootFrame& root, const RootFrame& centre, float aboveM, float centreLengthM,
                               std::span<glm::vec3> nodesHd);
 
-/// The same of a hair of a cornrow: it joins that a little further on, and then keeps over the skin to its end and
-/// straight on.
+/// The path of a hair in a cornrow: it joins the row a little further on, follows it over the skin to the row's end and
+/// goes straight on from there.
 struct CornrowJoin
 {
-    float scalpM = 0.0F;  ///< To where it joins,
-    float beforeM = 0.0F; ///< of the row before that,
-    float lengthM = 0.0F; ///< and from there to the tip.
+    float scalpM = 0.0F;  ///< Length from the root to where it joins the row.
+    float beforeM = 0.0F; ///< Length of the row before that point.
+    float lengthM = 0.0F; ///< Length from that point to the tip.
     float end = 0.0F;     ///< Fraction of the skeleton at the row's end.
 };
 /// How far over the skin the middle of a cornrow runs, in its radii: its wisps reach 1.6 up and down.
@@ -35,24 +35,24 @@ inline constexpr float kCornrowAboveRadii = 1.2F;
 [[nodiscard]] CornrowJoin cornrowRest(glm::vec3 rootHd, const BraidRow& row, float radiusM, float tailM,
                                       std::span<glm::vec3> nodesHd);
 
-/// Of a kind: see BraidLacing.
+/// Number of wisps of a kind: see BraidLacing.
 [[nodiscard]] std::uint32_t wispCount(BraidKind kind);
 
-/// Equation 3's radius r, m: the group's; that of a short braid is smaller.
+/// Equation 3's radius r, m: the group's, but at most a quarter of the braid's length.
 [[nodiscard]] float braidRadiusM(const GroupSettings& settings, float lengthM);
 /// Half the thickness of a braid, m: how far its hairs are from its skeleton at most.
 [[nodiscard]] float braidGirthM(BraidKind kind, float radiusM);
 /// How far over the skin a braid begins, so that it is clear of it there, m.
 [[nodiscard]] float braidBeginsAboveM(BraidKind kind, float radiusM);
 
-/// What a braid is to its hairs, m.
+/// Lengths of a braid and of a hair's path to it, m.
 struct BraidMeasures
 {
-    float scalpM = 0.0F; ///< Of the hair's own path to it,
+    float scalpM = 0.0F; ///< Length of the hair's own path over the scalp to the braid.
     float lengthM = 0.0F;
     float radiusM = 0.0F; ///< r of equation 3.
 };
-/// Where a hair of a braid runs in its wisp: also by its frizz.
+/// Sets where a hair of a braid runs in its wisp, which also depends on its frizz.
 void placeInWisp(const GroupSettings& settings, const WispChance& chance, StrandStyle& style);
 /// Makes a style that of a hair in a braid.
 void applyBraid(const GroupSettings& settings, BraidKind kind, const WispChance& chance, const BraidMeasures& measures,

@@ -26,8 +26,8 @@ public:
     {
         for (const std::uint32_t slot : slots)
             m_positionsHd.push_back(roots.positionHd[slot]);
-        // So far that a strip of even roots holds together.
-        constexpr float kReach = 4.0F; // Of the mean distance of nearest roots.
+        // In units of the mean distance of nearest roots: far enough that a strip of even roots holds together.
+        constexpr float kReach = 4.0F;
         float sumM = 0.0F;
         for (std::size_t i = 0; i < m_positionsHd.size(); ++i) {
             float nearest = kFar;
@@ -39,7 +39,7 @@ public:
         m_reachM = kReach * sumM / static_cast<float>(std::max<std::size_t>(m_positionsHd.size(), 1));
     }
 
-    /// Over the graph, by root; kFar where it does not reach.
+    /// Lengths of the shortest paths over the graph from one root, by root; kFar where there is none.
     [[nodiscard]] std::vector<float> distancesFrom(std::size_t from) const
     {
         std::vector<float> distances(m_positionsHd.size(), kFar);
@@ -78,7 +78,7 @@ std::size_t furthest(std::span<const float> distances)
     return best;
 }
 
-/// High first, else in front.
+/// How early a row may begin there: greater the higher, and the further in front.
 float beginning(glm::vec3 position)
 {
     constexpr float kForward = 0.5F;
@@ -130,7 +130,7 @@ BraidRow rowAlong(const RootSet& roots, std::span<const std::uint32_t> slots)
             line.push_back(sums[bin] / counts[bin]);
     if (line.size() < 2)
         line = {positions[begin], positions[begin] + roots.tangentHd[slots.front()] * 1e-3F};
-    // Half a bin further out at both ends, where the strip ends.
+    // The strip ends half a bin beyond the means of the first bin and the last.
     const glm::vec3 first = line[0] + (line[0] - line[1]) * 0.5F;
     const glm::vec3 last = line.back() + (line.back() - line[line.size() - 2]) * 0.5F;
     line.insert(line.begin(), first);

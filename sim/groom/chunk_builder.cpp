@@ -80,7 +80,7 @@ public:
     void finish()
     {
         m_lay.lay();
-        constexpr float kKeepsStep = 0.3F; ///< Of clump: from there on a hair curls as its lock does.
+        constexpr float kKeepsStep = 0.3F; ///< Clump above which a hair curls as its lock does.
         const RootSet& roots = m_inputs.roots;
         const VariationSettings& variation = m_inputs.settings.variation;
         const std::span<float> nodesHd = m_lay.nodesHd();
@@ -129,7 +129,7 @@ public:
         m_waiting = 0;
     }
 
-    /// Of a hair that lies as it did.
+    /// Updates the look of a hair whose shape stays the same.
     void look(std::uint32_t slot)
     {
         const RootSet& roots = m_inputs.roots;
@@ -155,11 +155,11 @@ private:
         std::uint32_t slot = 0;
         StrandStyle style;
         HairVariation own;           ///< Neutral where no hair varies.
-        float gathered = 0.0F;       ///< Clump that its curl gives it.
-        std::uint32_t leader = 0;    ///< Of its lock: a basis hair.
-        bool isInStep = false;       ///< Its curl is its lock's, however far it clumps.
-        float basisPhase = 0.0F;     ///< Of what it clumps to.
-        std::uint32_t basisRank = 0; ///< The same.
+        float gathered = 0.0F;       ///< Clump, 0..1, from the group's CurlSettings::gather and its curl.
+        std::uint32_t leader = 0;    ///< Basis hair that leads its lock.
+        bool isInStep = false;       ///< Its curl's phase is its lock's, however little it clumps.
+        float basisPhase = 0.0F;     ///< Curl phase of the basis hair that it clumps to, rad.
+        std::uint32_t basisRank = 0; ///< Rank of that basis hair.
     };
     /// What a hair follows beside the hairs around it.
     struct RowMembership
@@ -214,11 +214,12 @@ private:
 
     [[nodiscard]] float gatheredBy(float curl) const
     {
-        constexpr float kCurled = 0.2F; ///< Of the curl map: from there on as the group says.
+        /// Value of the curl map from which on hair gathers by all of the group's amount.
+        constexpr float kCurled = 0.2F;
         return m_inputs.settings.curl.gather * std::min(curl / kCurled, 1.0F);
     }
 
-    /// Prepares a laid hair's being drawn to a basis hair.
+    /// Prepares m_clump to draw a laid hair to a basis hair.
     void drawTo(std::size_t hair, std::uint32_t basisIndex, float clump)
     {
         m_clump.clump[hair] = clump;
@@ -234,7 +235,7 @@ private:
             m_basisHd[row * kLanes + hair] = from[row * kLanes];
     }
 
-    /// To the lock that is part of its lock; whether it is drawn to any.
+    /// Prepares drawing a hair to its small lock; returns whether it is drawn to one.
     bool findSmallLock(std::size_t hair)
     {
         const RootSet& roots = m_inputs.roots;
@@ -246,7 +247,7 @@ private:
         return true;
     }
 
-    /// To its lock; whether it is drawn to any.
+    /// Finds a hair's lock and prepares drawing it there; returns whether it is drawn to one.
     bool findLock(std::size_t hair)
     {
         const RootSet& roots = m_inputs.roots;
@@ -285,7 +286,7 @@ private:
                m_laid.back().slot - m_laid.front().slot == kLanes - 1;
     }
 
-    /// All but the nodes.
+    /// Stores all of a hair but its nodes.
     void store(std::uint32_t slot, const StrandStyle& style, const RowMembership& followed)
     {
         const std::size_t local = slot - m_firstSlot;
@@ -310,7 +311,7 @@ private:
         m_blocks.write(m_chunk.restPositions, slot - m_firstSlot, std::span(m_buffer).first(m_nodes));
     }
 
-    /// A lane of [nodes][3][kLanes].
+    /// Stores the nodes of one lane of [nodes][3][kLanes].
     void storeLane(std::uint32_t slot, const float* nodesHd)
     {
         float* to = m_chunk.restPositions.data() + m_blocks.index(slot - m_firstSlot, 0);
@@ -327,10 +328,10 @@ private:
     Lay m_lay;
     HairLook m_look;
     bool m_varies;
-    std::array<Laid, kLanes> m_laid; ///< That m_lay holds, in its order.
+    std::array<Laid, kLanes> m_laid; ///< The hairs that m_lay holds, in its order.
     std::size_t m_waiting = 0;
     std::array<glm::vec3, kMostNodes> m_buffer{};
-    ClumpTask m_clump; ///< Of the hairs that m_lay holds; no clump between batches.
+    ClumpTask m_clump; ///< Draws the hairs that m_lay holds to their locks; all clump is 0 between batches.
     std::array<float, std::size_t{kMostNodes} * StrandBlocks::kNodeStride> m_basisHd{};
     std::optional<GatheredWriter> m_gathered; ///< Larger than a cache: made for the first gathered hair.
 };

@@ -44,7 +44,7 @@ CURVE_FUNCTION Vec3 beyond(Vec3 end, Vec3 before)
     return end * 2.0F - before;
 }
 
-// The same where the curve goes on bending: of hair that lies taut on a round head.
+// The same for hair that lies taut on a round head, whose curve goes on bending.
 CURVE_FUNCTION Vec3 beyondBent(Vec3 end, Vec3 before, Vec3 beforeThat)
 {
     return (end - before) * 3.0F + beforeThat;
@@ -83,7 +83,7 @@ CURVE_FUNCTION Vec3 carried(Vec3 reference, Vec3 lastPoint, Vec3 lastTangent, Ve
     return select(squared > kTiny, select(turnSquared > kTiny, turned, reflected), reference);
 }
 
-// Its t at a fraction of the hair: the phase at the root, and so many turns to the tip.
+// Equation 1's t at fraction s of the hair: the phase at the root, and `turns` to the tip.
 CURVE_FUNCTION Num curlAngle(Num phase, Num turns, Num s)
 {
     return phase + turns * kFullTurn * s;
@@ -97,7 +97,7 @@ CURVE_FUNCTION Vec3 curlOffset(Num t)
     return vec3Of(c, s, c * s);
 }
 
-// It grows from the root.
+// Radius of the curl at fraction s of the hair: it grows from 0 at the root.
 CURVE_FUNCTION Num curlRadius(Num radiusM, Num s)
 {
     return radiusM * least(Num(1.0F), over(s, kCurlEaseFraction));
@@ -109,7 +109,7 @@ struct CoiledHair
 {
     Num turns;
     Num radiusM;
-    Num phase;  // Of its lock, rad: from it follow the lock's hand and where its switchbacks lie.
+    Num phase;  // Its lock's phase, rad: from it follow the lock's hand and where its switchbacks lie.
     Num chance; // -1..1, the hair's own: its phase out of step, and which turns it leaps over.
     Num lengthM;
 };
@@ -130,11 +130,11 @@ CURVE_FUNCTION Num partOf(Num x)
     return x - floored(x);
 }
 
-// From the strand's axis: along the frame's first axis and the second.
+// Offset from the strand's axis at fraction s of the hair, m: along the frame's first axis and the second.
 CURVE_FUNCTION Vec3 coilOffset(CoiledHair hair, CoilTraits traits, Num s)
 {
     Num alongM = hair.lengthM * s;
-    // Weight draws the turns near the root apart; there are as many in all.
+    // Weight draws the turns near the root apart; their number stays.
     Num uncoil = traits.uncoil * least(Num(1.0F), hair.lengthM * (1.0F / kUncoiledM));
     Num tightness = 1.0F - uncoil + uncoil * s * 2.0F;
     Num run = hair.turns * s * (1.0F - uncoil + uncoil * s);
@@ -148,7 +148,7 @@ CURVE_FUNCTION Vec3 coilOffset(CoiledHair hair, CoilTraits traits, Num s)
                            turn * traits.switchbacksPerM * hair.lengthM / most(hair.turns, Num(1e-3F)));
     Num hands = switched * 0.5F + select(partOf(hair.phase * kHandFactor) < 0.5F, Num(0.0F), Num(0.5F));
     Num hand = 1.0F - partOf(hands) * 4.0F; // 1 or -1
-    // Out of step at the scalp, in step from the middle of that distance to its end on.
+    // Hairs of a lock are out of step up to half of inStepFromM, and come into step from there to its end.
     Num astray = clamped((traits.inStepFromM - alongM) * 2.0F / most(traits.inStepFromM, Num(1e-6F)), 0.0F, 1.0F);
     Num own = partOf(hair.chance * kOwnPhaseFactor + 0.5F) - 0.5F;
     Num angle = hair.phase + (hand * part * (1.0F - leap) + own * astray) * kFullTurn;
@@ -208,8 +208,8 @@ CURVE_FUNCTION Lacing lacingOf(Num kind)
 struct BraidedHair
 {
     Num radiusM;      // r
-    Num turns;        // From where the hair joins it to its end,
-    Num begun;        // and before that.
+    Num turns;        // From where the hair joins the braid to its end.
+    Num begun;        // Turns of the braid before that point.
     Num wispX, wispY; // The hair's position in its wisp, in units of the wisp's radius.
     Num chance;       // -1..1, the hair's own: where it ends in the tuft.
     Num taper;        // 0..1: fraction by which r is smaller at the end.
@@ -235,7 +235,7 @@ CURVE_FUNCTION Num braidLength(Num perNodeM, Num spans, Num start)
     return perNodeM * spans * most(1.0F - start, Num(1e-6F));
 }
 
-// How thick a braid is at a fraction q of it.
+// Thickness of a braid at a fraction q of it.
 struct BraidGirth
 {
     Num tuft;  // 0..1 over the tuft, or a coil's end.
@@ -254,10 +254,10 @@ CURVE_FUNCTION BraidGirth braidGirth(BraidedHair hair, Lacing lacing, Num q)
     BraidGirth girth;
     girth.tuft = select(isOne, Num(0.0F), over(most(q - (1.0F - kTuftFraction), Num(0.0F)), kTuftFraction));
     Num opened = least(over(girth.tuft, kTuftOpens), Num(1.0F));
-    opened = opened * opened * (3.0F - opened * 2.0F); // A hair has no corner.
+    opened = opened * opened * (3.0F - opened * 2.0F); // Smooth, since a hair has no corner.
     Num narrowed = most(over(girth.tuft - kTuftOpens, 1.0F - kTuftOpens), Num(0.0F));
     girth.pathM = r * mixed(Num(1.0F), Num(kTieBraidFraction), tied) * (1.0F - opened);
-    // One of all wisps, as thick as a wisp of a plait of three would be where they are finer.
+    // A single wisp made of all; where wisps are finer than a plait's of three, it is as thick as one of those.
     Num whole = most(lacing.wisp, lacing.pathX * kWispRadiusFraction);
     Num open = mixed(lacing.wisp * mixed(Num(1.0F), Num(kTieWispFraction), tied), whole * kTuftWispFraction,
                      opened * (2.0F - opened));
@@ -269,7 +269,7 @@ CURVE_FUNCTION BraidGirth braidGirth(BraidedHair hair, Lacing lacing, Num q)
 // middle. The axis stands in the dome, and the hair goes along it by the sine of q's angle: see GatheredLay::layCoil().
 CURVE_FUNCTION BraidGirth coilGirth(BraidedHair hair, Num q)
 {
-    // So thick that its turns lie side by side over the dome's meridian.
+    // Its turns lie side by side over the dome's meridian.
     Num wisp = kCoilMeridian / (kCoilMeridian + hair.turns * kCoilApart);
     Num outward = least(q * hair.turns * (1.0F / kCoilEaseTurns), Num(1.0F));
     Num ends = most(over(q - (1.0F - kCoilEndFraction), kCoilEndFraction), Num(0.0F));
@@ -283,8 +283,8 @@ CURVE_FUNCTION BraidGirth coilGirth(BraidedHair hair, Num q)
     return girth;
 }
 
-// How much of its offset a hair has so many spans behind the last node before its braid: it comes to its wisp late,
-// since there it still lies on the skin.
+// Fraction of its offset that a hair has, by the spans behind the last node before its braid: it comes to its wisp
+// late, since at that node it still lies on the skin.
 CURVE_FUNCTION Num gatheredPart(Num spans)
 {
     Num part = least(spans, Num(1.0F));
@@ -309,11 +309,11 @@ CURVE_FUNCTION WispPath wispPath(Lacing lacing, Num angle)
     return path;
 }
 
-// At a fraction q of the hair's part of a braid, of so many metres, of one of its wisps, from the strand's axis: along
-// the frame's first axis, the strand, and the third.
+// Offset from the strand's axis of a hair in one wisp of a braid, at fraction q of the braidM metres that the hair goes
+// in it: along the frame's first axis, the strand, and the third.
 CURVE_FUNCTION Vec3 braidedOffset(BraidedHair hair, Num kind, Num wisp, Num q, Num braidM)
 {
-    // Of the whole braid.
+    // From here on turns, q and braidM are those of the whole braid.
     Num whole = hair.turns + hair.begun;
     q = q + (1.0F - q) * hair.begun / most(whole, Num(1e-3F));
     braidM = braidM * (1.0F + hair.begun / most(hair.turns, Num(1e-3F)));
@@ -360,8 +360,8 @@ CURVE_FUNCTION Vec3 braidedOffset(BraidedHair hair, Num kind, Num wisp, Num q, N
 // Frizz: noise along the strand that is 0 at the root and grows to the tip.
 struct Frizz
 {
-    Num radiusM; // At the tip, at most.
-    Num waveRad; // Over the whole strand.
+    Num radiusM; // Greatest distance from the strand's course, at the tip.
+    Num waveRad; // Phase of the wave over the whole strand.
 };
 
 CURVE_FUNCTION Frizz frizzOf(Num frizzM, Num lengthM)
@@ -372,8 +372,8 @@ CURVE_FUNCTION Frizz frizzOf(Num frizzM, Num lengthM)
     return frizz;
 }
 
-// From the strand's course at fraction s, along the frame's first axis and across it. `chance` is the hair's own,
-// -1..1.
+// Offset from the strand's course at fraction s, m: along the frame's first axis and across it. `chance` is the hair's
+// own, -1..1.
 CURVE_FUNCTION Vec3 frizzOffset(Frizz frizz, Num chance, Num s)
 {
     Num angle = frizz.waveRad * s + chance * 47.0F;

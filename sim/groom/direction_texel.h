@@ -40,9 +40,9 @@ inline constexpr float kOpposedDirections = 0.02F;
 /// would lie along it and fall over the face.
 inline constexpr float kPartedDirections = 0.5F;
 
-/// From the mean of directions and of their lengths: as flat as they. The mean alone would make hair stand where they
-/// are opposed, as to both sides of a parting; there it lies like the `nearest` of them. The kernel of the lay has the
-/// same.
+/// The mean of directions, made as long as the mean of their lengths. The mean alone would make hair stand where they
+/// are opposed, as on both sides of a parting; there the result is the `nearest` of them. turned() of lay_kernel.cpp
+/// computes the same.
 template<typename Vector>
 [[nodiscard]] Vector turned(const Vector& mean, float flatness, const Vector& nearest,
                             float opposed = kOpposedDirections)
@@ -60,7 +60,7 @@ template<typename Vector>
     return turned(from + (to - from) * fraction, flatness, fraction < 0.5F ? from : to);
 }
 
-/// Of a direction map between its texels.
+/// Samples a direction map between its texels.
 [[nodiscard]] inline DirectionVector directionAt(const TiledRaster& map, glm::vec2 uv)
 {
     const TiledRaster::Neighbours around = map.neighbours(uv);
@@ -79,7 +79,7 @@ template<typename Vector>
     return turned(mean, flatness, directionOf(around.texels[nearest]), kPartedDirections);
 }
 
-/// To the nearest step.
+/// Rounds to the nearest step.
 [[nodiscard]] inline Texel texelOfDirection(DirectionVector direction)
 {
     const auto stored = [](float value) {

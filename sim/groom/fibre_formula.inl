@@ -1,15 +1,15 @@
 // A fibre that is not round: its section is an ellipse of the area that the round one has, and turns along the fibre.
-// One text for view/rendering/software/curve_inl.h (as many strands as there are lanes) and the shader strand_shade.comp,
-// with the names that curve_formula.inl asks for.
+// One text for view/rendering/software/curve_inl.h (as many strands as there are lanes) and the shader
+// strand_shade.comp, with the names that curve_formula.inl asks for.
 
-const float kSectionTwistsPerM = 5.0F; // Of a straight fibre.
-const float kOwnSectionRad = 1.7F;     // By so much hairs of a lock are out of step at most.
+const float kSectionTwistsPerM = 5.0F; // Turns of a straight fibre's section, 1/m.
+const float kOwnSectionRad = 1.7F;     // Greatest angle by which the hairs of a lock are out of step.
 const float kSectionLean = 0.9F;
 
 struct Section
 {
-    Num width; // As the eye sees it, of the round one's.
-    Num glint; // Light that it mirrors, of the round one's.
+    Num width; // Width that the eye sees, over a round fibre's.
+    Num glint; // Light that it mirrors, over a round fibre's.
     Num lean;  // By how much its scales stand elsewhere, as twice the half angle's sine; see turnedBy().
 };
 

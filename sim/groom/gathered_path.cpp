@@ -13,10 +13,10 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr float kLowestHairM = 0.0006F; ///< Of the lowest hair from the skin.
-constexpr float kOutOfRootM = 0.006F;   ///< Length from its root over which a hair comes to its height.
-constexpr float kHalfReachM = 0.06F;    ///< Length of a course that comes to the middle of the layers.
-constexpr float kOwnLayer = 0.25F;      ///< Part of a hair's layer that is by chance.
+constexpr float kLowestHairM = 0.0006F; ///< Height of the lowest hair over the skin.
+constexpr float kOutOfRootM = 0.006F;   ///< Length from its root over which a hair rises to its height.
+constexpr float kHalfReachM = 0.06F;    ///< Length of a course whose hair lies in the middle of the layers.
+constexpr float kOwnLayer = 0.25F;      ///< Fraction of a hair's layer that is by chance.
 constexpr float kTailStepM = 0.01F;
 constexpr std::size_t kTailPoints = 96;
 constexpr float kTailBendM = 0.06F; ///< Length from the ring within which a tail has turned down.
@@ -44,13 +44,14 @@ float opening(float alongM)
     return 1.0F + kMost * alongM / (alongM + kHalfM);
 }
 
-/// The curve of taut hair as it is drawn: see beyond() and beyondBent() in curve_formula.inl.
+/// The control point before a node, for the curve of taut hair as it is drawn: see beyond() and beyondBent() in
+/// curve_formula.inl.
 glm::vec3 nodeBefore(std::span<const glm::vec3> nodes, std::size_t node)
 {
     return node > 0 ? nodes[node - 1] : (nodes[0] - nodes[1]) * 3.0F + nodes[2];
 }
 
-/// Of the curve from one node to another.
+/// Length of the curve from one node to another, m.
 float curveLengthM(std::span<const glm::vec3> nodes, std::size_t from, std::size_t to)
 {
     constexpr int kParts = 4;
@@ -241,8 +242,8 @@ float GatheredLay::layTail(const Course& course, float freeM, std::span<glm::vec
     const float wholeM = freeM / static_cast<float>(spans);
     layAlong(wholeM);
     if (course.isCore)
-        return freeM; // Of a braid: the same on every course.
-    // Most of it while it bends as it does now; fallen it bends less.
+        return freeM; // Braids follow the core, so its length does not depend on the course.
+    // The curve's excess over the line is taken off only in part: once the tail has fallen it bends less.
     constexpr float kCounted = 0.8F;
     const float excessM = curveLengthM(nodesHd, ring, nodesHd.size() - 1) - freeM;
     const float segmentM = std::max(wholeM - kCounted * excessM / static_cast<float>(spans), 0.9F * wholeM);

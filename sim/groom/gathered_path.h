@@ -31,21 +31,22 @@ public:
         TautString string;
         float tautM = 0.0F;     ///< Its length.
         float layer = 0.0F;     ///< 0..1: height among the hair that goes with it.
-        glm::vec2 inRing{0.0F}; ///< Where it goes through, from the middle, m.
-        bool isCore = false;    ///< It goes through the middle, and so do others.
+        glm::vec2 inRing{0.0F}; ///< Where it goes through the ring, from its middle, m.
+        bool isCore = false;    ///< It goes through the middle of the ring: `inRing` is 0.
     };
     /// `chance`: 0..1, the hair's own. `isCore`: it goes through the middle of the ring.
     [[nodiscard]] Course courseOf(std::uint32_t face, glm::vec3 rootHd, float chance, bool isCore = false) const;
 
-    /// Of a hair of `lengthM` that reaches the ring: its nodes up to there, evenly. Returns the length of the curve
-    /// through them.
+    /// Fills the nodes from the root to the ring, evenly, of a hair of `lengthM` that reaches it. Returns the length of
+    /// the curve through them, m.
     float layTaut(const Course& course, float lengthM, std::span<glm::vec3> nodesHd) const;
-    /// From the node in the ring on, evenly along `freeM`: it hangs in an arc, as it falls while the head is upright.
-    /// The curve is that long; returns the length of the line through its nodes, which is what the solver keeps.
+    /// Fills the nodes behind the ring, evenly along `freeM`: an arc, as hair falls while the head is upright. The
+    /// curve is `freeM` long; returns the length of the line through its nodes, which is what the solver keeps.
     float layTail(const Course& course, float freeM, std::span<glm::vec3> nodesHd) const;
-    /// Of a hair that ends before the ring: nodes evenly along `lengthM` of its course.
+    /// Fills the nodes of a hair that ends before the ring, evenly along the first `lengthM` of its course.
     void layToward(const Course& course, float lengthM, std::span<glm::vec3> nodesHd) const;
-    /// Nodes from the ring on, up to `heightM` along its axis as a coil rises (coilGirth() in curve_formula.inl).
+    /// Fills the nodes from the ring on, up to `heightM` along its axis as a coil rises (coilGirth() in
+    /// curve_formula.inl).
     void layCoil(float heightM, std::span<glm::vec3> fromRingHd) const;
 
 private:

@@ -13,9 +13,9 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr float kShortestMovingTailM = 0.005F; ///< A shorter end behind the ring does not move.
-constexpr float kFewestTurns = 1.7F;           ///< Of a bun that covers its tie,
-constexpr float kMostTurns = 3.0F;             ///< and of one whose rope is seen to be one.
-constexpr float kTailKeepsStep = 0.3F;         ///< Of clump: from there on a hair curls as its lock does.
+constexpr float kFewestTurns = 1.7F;           ///< Fewest turns of a bun's rope, with which it covers its tie,
+constexpr float kMostTurns = 3.0F;             ///< and the most, with which the rope is still seen.
+constexpr float kTailKeepsStep = 0.3F;         ///< Clump above which a hair curls as its lock does.
 
 /// Radius of the rope's path at the foot of a coil, in units of the coil's.
 float coilPathFraction(float turns)
@@ -23,10 +23,10 @@ float coilPathFraction(float turns)
     return 1.0F - kCoilMeridian / (kCoilMeridian + turns * kCoilApart);
 }
 
-/// That so much hair makes: the longer it is the finer the rope, in bounds.
+/// Turns of a bun of `radiusM` that hair of `freeM` makes: the longer the hair the more, and the finer the rope.
 float coilTurns(float radiusM, float freeM)
 {
-    // Of the path's circles over the dome to the coil's radius, in the mean.
+    // Mean radius of the path's circles over the dome, as a fraction of the coil's radius.
     constexpr float kMeanCircle = 0.45F;
     return std::clamp(freeM / (2.0F * std::numbers::pi_v<float> * kMeanCircle * std::max(radiusM, 1e-4F)), kFewestTurns,
                       kMostTurns);
@@ -110,7 +110,8 @@ void GatheredWriter::hang(Waiting& hair, const RootValues& values)
     const bool isFollowing = hair.followed.weights[0] > 0.0F && basis[BasisQuantity::SegmentLength][leader] > 0.0F;
     m_clump.clump[lane] = 0.0F;
     if (isFollowing && leaderSlot != hair.slot && !hair.own.isFlyaway) {
-        constexpr float kCurled = 0.2F; // Of the curl map: from there on as the group says.
+        // Value of the curl map from which on hair gathers by all of the group's amount.
+        constexpr float kCurled = 0.2F;
         const float gathered = settings.curl.gather * std::min(values.curl / kCurled, 1.0F);
         const float own = m_inputs.maps[MapSlot::Clump].scalar(roots.uv[hair.slot]);
         const float clump = 1.0F - (1.0F - own) * (1.0F - gathered);

@@ -9,13 +9,13 @@
 
 namespace hairpaint::sim {
 
-/// Those whose tails are drawn to locks together wait for finish(). One thread.
+/// Hairs whose tails are drawn to locks are kept until kLanes of them wait or finish() is called. One thread.
 class GatheredWriter
 {
 public:
     GatheredWriter(const ChunkInputs& inputs, std::size_t chunkIndex, StrandChunk& chunk);
 
-    /// `style`: as that of a loose hair.
+    /// `style`: what the hair's style would be if it were loose.
     void write(std::uint32_t slot, const RootChance& chance, const RootValues& values, const HairVariation& own,
                const StrandStyle& style);
     void finish();
@@ -30,7 +30,7 @@ private:
         float clump = 0.0F;
         std::array<glm::vec3, kMostNodes> nodesHd{};
     };
-    /// What hangs from the ring and is not braided.
+    /// Prepares the tail of a hair that hangs from the ring and is not braided.
     void hang(Waiting& hair, const RootValues& values);
     void store(const Waiting& hair, std::uint32_t centre, bool isTailed);
 
@@ -41,7 +41,7 @@ private:
     std::size_t m_ring;
     std::array<Waiting, kLanes> m_hairs;
     std::size_t m_count = 0;
-    ClumpTask m_clump; ///< Of the hairs that wait.
+    ClumpTask m_clump; ///< Draws the tails of the hairs that wait to their locks.
     std::array<float, std::size_t{kMostNodes} * StrandBlocks::kNodeStride> m_nodesHd{};
     std::array<float, std::size_t{kMostNodes} * StrandBlocks::kNodeStride> m_basisHd{};
 };

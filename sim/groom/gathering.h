@@ -49,7 +49,7 @@ public:
     /// Gives the groom its tails; those of chunks that are what they were in `before` (may be null) are kept.
     void makeTails(const Groom* before, Groom& groom) const;
 
-    /// 0: loose.
+    /// Number of the tie that gathers a hair; 0: loose.
     [[nodiscard]] std::uint16_t numberOf(std::uint32_t slot) const { return m_numbers.empty() ? 0 : m_numbers[slot]; }
     [[nodiscard]] std::uint16_t numberOfBasis(std::size_t basis) const
     {
@@ -64,13 +64,13 @@ public:
     {
         Tie tie;
         TautStrings strings;
-        GatheredLay lay; ///< Of them.
+        GatheredLay lay; ///< Lays hair along `strings`.
         std::vector<std::uint32_t> basis;
         std::uint32_t core = kNoCentre; ///< The basis hair through the middle of the ring, which braids follow.
         std::uint32_t formerCore = kNoCentre;
-        bool isOtherCore = false; ///< Since the tails' solved hairs were last laid.
-        float coreFreeM = 0.0F;   ///< Its length from there on.
-        bool isNew = true;        ///< In this update.
+        bool isOtherCore = false; ///< `core` changed since the tails' solved hairs were last laid.
+        float coreFreeM = 0.0F;   ///< Length of the core behind the ring.
+        bool isNew = true;        ///< The tie is new or changed in this update.
     };
     [[nodiscard]] const TieState& tieOf(std::uint16_t number) const;
 
@@ -88,18 +88,18 @@ private:
     void findClumped(const BasisInputs& inputs, SlotSet& dirty) const;
 
     std::shared_ptr<const RootSet> m_roots;
-    std::vector<std::unique_ptr<TieState>> m_ties; ///< By rising number.
+    std::vector<std::unique_ptr<TieState>> m_ties; ///< Sorted by their numbers.
     MapRaster m_map;
     std::shared_ptr<const DistanceGrid> m_distances;
     float m_coatM = 0.0F;
-    bool m_otherNumbers = false;                ///< In this update other numbers have ties,
+    bool m_otherNumbers = false;                ///< In this update the set of ties' numbers differs,
     bool m_anyMoved = false;                    ///< and some root has another number.
     std::vector<std::uint16_t> m_numbers;       ///< [slots]; empty where off.
     std::vector<std::uint16_t> m_numberOfBasis; ///< [basis hairs], borrowed ones too.
     std::vector<Followed> m_followed;           ///< [slots]
     std::shared_ptr<const BasisStyles> m_basis;
-    std::vector<std::uint8_t> m_relaid; ///< [basis hairs] that lie otherwise in the tail, in this update,
-    std::vector<std::uint8_t> m_moved;  ///< and those that are another tie's.
+    std::vector<std::uint8_t> m_relaid; ///< [basis hairs] 1 where its shape in the tail changed in this update,
+    std::vector<std::uint8_t> m_moved;  ///< and 1 where it belongs to another tie now.
 };
 
 /// The part of a chunk's gathered hairs behind the ring; null where none has a tail.

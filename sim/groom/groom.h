@@ -24,7 +24,7 @@ enum class BraidKind : std::uint8_t
     PlaitOfFour = 4,
     PlaitOfFive = 5,
     Fishtail = 6,
-    Cornrow = 7 ///< Of the braid map: a plait along the skin. Styles have what is laced, a plait.
+    Cornrow = 7 ///< A plait along the skin. In the braid map only; styles hold Plait for it.
 };
 inline constexpr BraidKind kLastBraidKind = BraidKind::Cornrow;
 [[nodiscard]] constexpr BraidKind lacedKind(BraidKind painted)
@@ -35,10 +35,10 @@ inline constexpr BraidKind kLastBraidKind = BraidKind::Cornrow;
 /// What a strand looks like. Rendering packs it for the GPU (view/rendering/gl/packed_style.h).
 struct StrandStyle
 {
-    float lengthM = 0.0F; ///< The skeleton's; a braided hair's is that of its path over the scalp and its braid.
-    float turns = 0.0F;   ///< Of equation 1 over the whole hair.
+    float lengthM = 0.0F; ///< The skeleton's; a braided hair's path over the scalp and its braid together.
+    float turns = 0.0F;   ///< Turns of equation 1's coil over the whole hair.
     float curlRadiusM = 0.0F;
-    float phase = 0.0F;           ///< t at the root, rad. Of a hair that joins a cornrow: its turns up to there.
+    float phase = 0.0F; ///< t at the root, rad; where a hair joins a cornrow, the row's turns before that point.
     std::uint32_t rootColour = 0; ///< 0xAABBGGRR, sRGB as encoded.
     std::uint32_t tipColour = 0;
     float width = 1.0F;  ///< Diameter as a multiple of the material's.
@@ -48,14 +48,14 @@ struct StrandStyle
     /// root, those before it lie on the scalp, those after it follow the centre's skeleton, evenly to its tip. Of hair
     /// that is gathered the fraction where its ring is; before it no hair curls.
     float braidStart = 0.0F;
-    float braidTurns = 0.0F;    ///< Of equation 3, from there to the tip.
+    float braidTurns = 0.0F;    ///< Turns of equation 3 from braidStart to the tip.
     glm::vec2 wispOffset{0.0F}; ///< Position inside the wisp, in units of the wisp's radius.
     float variation = 0.0F;     ///< -1..1, this hair's own lightness.
     BraidKind braid = BraidKind::None;
-    std::uint8_t wisp = 0;                                        ///< See wispNumber(); and kTautBit.
+    std::uint8_t wisp = 0;                                        ///< wispNumber() in the low four bits, and kTautBit.
     std::uint16_t gloss = ruleOf(MapSlot::Gloss).defaultValue[0]; ///< The gloss map's: 65535 is 1.
-    float frizzM = 0.0F;           ///< How far it strays from its course at the tip, at most; a short one less.
-    float tipStart = 0.0F;         ///< The tip start map's; 0 where the tip has the root's colour.
+    float frizzM = 0.0F;   ///< m: how far it strays from its course at the tip, at most; a short hair strays less.
+    float tipStart = 0.0F; ///< The tip start map's value, 0..1; 0 where the tip has the root's colour.
     std::uint16_t braidTaper = 0;  ///< 0..255: GroupSettings::braidTaper in 255ths,
     std::uint16_t braidTied = 255; ///< and braidTie.
 
@@ -78,7 +78,7 @@ struct CornrowHair
 {
     float end = 0.0F;       ///< Fraction of its skeleton at which it leaves the skin; 0: in no cornrow.
     float tailM = 0.0F;     ///< Its braid's length from there on.
-    glm::vec3 endHd{0.0F};  ///< Where that is.
+    glm::vec3 endHd{0.0F};  ///< Where it leaves the skin.
     glm::vec3 sideHd{0.0F}; ///< Unit: across the row, along the skin.
     friend bool operator==(const CornrowHair&, const CornrowHair&) = default;
 };
@@ -100,10 +100,10 @@ struct StrandChunk
     std::vector<std::uint32_t> lockLeader;
     /// The least StrandStyle::detail in a block: at a coarser level of detail nothing of it is drawn.
     std::array<float, kBlocksPerChunk> leastDetail{};
-    std::bitset<kChunkSlots> gathered; ///< Those that lie taut to a tie: their segmentLengths are 0,
-    std::bitset<kChunkSlots> tailed;   ///< and of them those whose nodes from the ring on are moved, see Groom::tails.
+    std::bitset<kChunkSlots> gathered; ///< Hairs that lie taut to a tie: their segmentLengths are 0.
+    std::bitset<kChunkSlots> tailed;   ///< Those of them whose nodes from the ring on move, see Groom::tails.
     std::vector<CornrowHair> cornrows; ///< [kChunkSlots]; empty where none is in one.
-    /// [kChunkSlots] whom each follows, where not the basis hairs that are nearest on the skin; else empty.
+    /// [kChunkSlots] the basis hairs that each hair follows; empty where all follow those nearest on the skin.
     std::vector<Followed> followed;
 };
 inline constexpr std::uint32_t kNoCentre = 0xFFFFFFFFU;
@@ -169,8 +169,8 @@ struct Groom
     int groupId = 0;
     bool visible = true;
     GroupSettings settings;
-    MapRaster density; ///< The maps that it was made from,
-    MapRaster colour;  ///< as far as the skin between the hairs shows them.
+    MapRaster density; ///< The density and colour maps that it was made from,
+    MapRaster colour;  ///< kept for the tint of the skin between the hairs.
     std::shared_ptr<const RootSet> roots;
     int nodes = 8;
     std::vector<std::shared_ptr<const StrandChunk>> chunks; ///< ceil(candidates / kChunkSlots)
@@ -218,7 +218,8 @@ public:
     {
         std::vector<std::shared_ptr<const Groom>> grooms; ///< In the input's order.
         std::size_t rebuiltStrands = 0;                   ///< Slots whose style was evaluated this time.
-        std::vector<std::uint32_t> rebuiltSlots; ///< Of the last group touched; only where collectSlots is set.
+        /// Those slots of the last group touched; filled only after setCollectSlots(true).
+        std::vector<std::uint32_t> rebuiltSlots;
     };
     void setCollectSlots(bool collect);
     /// Incremental: only candidates whose map values differ are evaluated; gives the same bytes as a fresh builder.

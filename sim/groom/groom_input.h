@@ -24,7 +24,7 @@ struct GroomInput
         bool visible = true;
         GroupSettings settings;
         GroupMaps maps;
-        std::vector<Tie> ties; ///< By rising number.
+        std::vector<Tie> ties; ///< Sorted by their numbers.
         /// One channel, read at the nearest texel: the number of the tie that gathers the hair of a root; 0, or a
         /// number that no tie has: loose. Null: none is gathered.
         MapRaster gathered;
@@ -38,7 +38,7 @@ struct GroomInput
     std::vector<Group> groups;
     std::uint64_t seed = 1;
     int maxHairs = 1'000'000;   ///< Limit on candidates over all groups; divided in the groups' order.
-    std::uint64_t revision = 0; ///< Of the document; frames repeat it. It alone rebuilds nothing.
+    std::uint64_t revision = 0; ///< The document's; frames repeat it. A change of it alone rebuilds nothing.
     bool preview = false;       ///< Holds something not committed yet.
 };
 

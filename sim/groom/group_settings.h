@@ -10,7 +10,7 @@ enum class TurnsMode : std::uint8_t
 {
     PerHair,
     PerLength,
-    Coils ///< As far apart as CurlSettings says, in metres.
+    Coils ///< Turns are CurlSettings::pitchM apart.
 };
 
 /// How the hairs of a group move. All gains are those of a step of 1/60 s and are rescaled to the real step.
@@ -43,8 +43,8 @@ struct StrandMaterial
     float colourVariation = 0.12F; ///< 0..1: difference in lightness between neighbouring hairs.
     float scalpTint = 0.0F;        ///< 0..1: how much its roots, where they are dense, colour the skin.
     float taperM = 0.0F;      ///< m, 0..0.5: last length over which a hair thins out to its tip; 0: over all of it.
-    float tipFrom = 0.0F;     ///< 0..1 of the length: up to there a hair has its root's colour;
-    float tipOver = 1.0F;     ///< 0..1 of the rest: over that much it passes to its tip's.
+    float tipFrom = 0.0F;     ///< Fraction of the length, 0..1, up to which a hair has its root's colour;
+    float tipOver = 1.0F;     ///< fraction of the rest, 0..1, over which that turns to its tip's.
     float sectionAxes = 1.0F; ///< 1..3: longest over shortest diameter of a hair's section; 1 is round.
     friend bool operator==(const StrandMaterial&, const StrandMaterial&) = default;
 };
@@ -70,11 +70,11 @@ struct VariationSettings
 /// Curls by the measures of real hair. All but `gather` counts with TurnsMode::Coils alone.
 struct CurlSettings
 {
-    float diameterM = 0.015F;     ///< Of the coil where curl size has its default, 0..0.2.
-    float pitchM = 0.039F;        ///< From turn to turn along the hair as seen where curl is 1, 0.0005..1.
+    float diameterM = 0.015F;     ///< m, 0..0.2: a coil's diameter where curl size has its default.
+    float pitchM = 0.039F;        ///< m, 0.0005..1: length of a turn along the hair as seen, where curl is 1.
     float flatness = 0.0F;        ///< 0..1: from a coil to an S that lies on the skin.
-    float inStepFromM = 0.0F;     ///< 0..1: distance from the scalp where the hairs of a lock have come into step.
-    float switchbacksPerM = 0.0F; ///< 0..200: how often a coil changes its hand.
+    float inStepFromM = 0.0F;     ///< m, 0..1: distance from the scalp where the hairs of a lock have come into step.
+    float switchbacksPerM = 0.0F; ///< 1/m, 0..200: how often a coil changes its hand.
     float skips = 0.0F;           ///< 0..1: fraction of its turns that a hair leaps over.
     float uncoil = 0.0F;          ///< 0..0.8: fraction by which the turns at the root of long hair are fewer.
     float gather = 0.0F;          ///< 0..1: clump of curled hair where none is painted.
@@ -85,10 +85,10 @@ struct CurlSettings
 /// The locks that clump draws hair to.
 struct LockSettings
 {
-    float sizeM = 0.0F;      ///< 0..0.1: distance of locks, no less than that of the solved hairs; 0: that.
-    float small = 0.0F;      ///< 0..1: clump of the small locks, a solved hair each, that a lock is made of.
-    float flatness = 0.0F;   ///< 0..1: from a round lock to a ribbon that lies on the skin.
-    float twistsPerM = 0.0F; ///< 0..50: turns of a lock about itself.
+    float sizeM = 0.0F;    ///< m, 0..0.1: distance of locks, no less than the solved hairs' distance; 0: that distance.
+    float small = 0.0F;    ///< 0..1: clump of the small locks, a solved hair each, that a lock is made of.
+    float flatness = 0.0F; ///< 0..1: from a round lock to a ribbon that lies on the skin.
+    float twistsPerM = 0.0F; ///< 1/m, 0..50: turns of a lock about itself.
     float ragged = 0.0F;     ///< 0..1: how far hairs at a lock's edge belong to the next.
     float parting = 0.0F;    ///< 0..1: how far hairs leave their lock over its last third.
     friend bool operator==(const LockSettings&, const LockSettings&) = default;
@@ -114,7 +114,7 @@ struct GroupSettings
     float greatestLengthM = 0.30F;       ///< 0.001..2.
     float shortestLengthM = 0.0F;        ///< The length where the map is 0.
     int nodesPerHair = 8;                ///< kLeastNodes..kMostNodes.
-    int basisHairs = 4096;               ///< Of the candidates all over the skin, the solved ones; 256..10,000,000.
+    int basisHairs = 4096;               ///< Number of candidates all over the skin that are solved; 256..10,000,000.
     TurnsMode turnsMode = TurnsMode::PerHair;
     bool steppedTurns = false;          ///< Table 1's levels only.
     float turnsPerLengthM = 0.10F;      ///< With PerLength: the length that table 1's turns are for.

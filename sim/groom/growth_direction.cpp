@@ -8,16 +8,16 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr float kShortFallM = 0.08F;   ///< Shorter hair lies as it grows, whatever it weighs;
-constexpr float kLeastFlatness = 0.5F; ///< Of hair that nobody has combed.
-constexpr float kLongFallM = 0.20F;    ///< longer hair falls to its side.
+constexpr float kShortFallM = 0.08F;   ///< Shorter hair lies as it grows.
+constexpr float kLeastFlatness = 0.5F; ///< Least flatness of short hair that nobody has combed.
+constexpr float kLongFallM = 0.20F;    ///< Longer hair lies as it falls, to its side.
 
 /// How long hair that nobody has combed falls: to its own side of the middle and a little back from the face.
 glm::vec3 fallDirection(glm::vec3 positionHd, glm::vec3 normal)
 {
     constexpr float kSideways = 2.4F; // Against 1 for down, on top and at the forehead.
     constexpr float kBackward = 1.1F;
-    constexpr float kMiddleM = 0.004F; // Where both sides meet.
+    constexpr float kMiddleM = 0.004F; // Half the width of the middle, where both sides meet.
     constexpr float kFlatness = 0.977F;
     const float front = std::clamp(normal.z, 0.0F, 1.0F);
     const float combing = std::max(std::clamp(normal.y, 0.0F, 1.0F), front);
@@ -28,8 +28,8 @@ glm::vec3 fallDirection(glm::vec3 positionHd, glm::vec3 normal)
     return square > 1e-12F ? along * (kFlatness / std::sqrt(square)) : glm::vec3(kFlatness, 0.0F, 0.0F);
 }
 
-/// What grows at the middle of a whorl still leans to one side: a single upright hair would be an antenna. As flat as
-/// that; where the vector tells no side, to where long hair falls.
+/// `grown`, made as long as `flatness` where it is shorter: hair at the middle of a whorl still leans to one side,
+/// since a single upright hair would be an antenna. Where `grown` tells no side it leans to where long hair falls.
 glm::vec3 atLeast(float flatness, glm::vec3 grown, glm::vec3 falls)
 {
     constexpr float kTellsNoSide = 0.02F;

@@ -6,11 +6,12 @@
 
 namespace hairpaint::sim {
 
-/// Along the skin, Hd; the length is the cosine of the angle to the skin, 0 where hair stands upright, at most 1.
+/// Vectors along the skin, Hd; the length is the cosine of the angle to the skin, 0 where hair stands upright, at most
+/// 1.
 struct GrowthDirections
 {
-    glm::vec3 grownHd{0.0F};  ///< As painted, or natural.
-    glm::vec3 fallenHd{0.0F}; ///< Of long hair: where nobody combed, to its own side of the middle.
+    glm::vec3 grownHd{0.0F};  ///< How short hair lies: as painted, or natural.
+    glm::vec3 fallenHd{0.0F}; ///< How long hair lies: where nobody combed, to its own side of the middle.
 
     /// `falls`: fallFraction() of the hair's length. Hair between the two turns from one to the other; their mean alone
     /// would stand where they are opposed.
@@ -21,7 +22,8 @@ struct GrowthDirections
 /// How far hair of a length lies as it falls rather than as it grows, 0..1.
 [[nodiscard]] float fallFraction(float lengthM);
 
-/// Of what the map and the head's natural stream (null where there is none) hold for a point of the skin.
+/// The directions at a point of the skin, from the map's vector and the head's natural stream (null where there is
+/// none).
 [[nodiscard]] GrowthDirections growthDirections(DirectionVector painted, const DirectionVector* natural,
                                                 glm::vec3 positionHd, const SkinFrame& frame);
 

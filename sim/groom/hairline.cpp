@@ -15,24 +15,25 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr std::uint64_t kHairlineKey = 0x656467650A75u; ///< Apart from the keys of other uses of the seed.
-constexpr float kBareBelow = 0.01F;                     ///< Density.
-constexpr float kProbesApart = 0.4F;                    ///< Of the softened width; closer than roots they are not.
-constexpr float kWavers = 0.4F;                         ///< By how much of itself that width differs,
-constexpr float kRecedes = 0.3F;                        ///< and by how much of it the edge lies further inside.
-/// Where the edge is uneven, it lies further inside by up to so many of those widths; over some 4 cm it comes back.
+constexpr float kBareBelow = 0.01F;                     ///< Density below which the skin at a probe counts as bare.
+constexpr float kProbesApart = 0.4F; ///< Distance of probes over the softened width; they are no closer than roots.
+constexpr float kWavers = 0.4F;      ///< Greatest fraction by which that width wavers.
+constexpr float kRecedes = 0.3F;     ///< Greatest distance by which the edge lies further inside, over that width.
+/// The same, added where the edge is fully uneven; it comes back over some 4 cm.
 constexpr float kRecedesUneven = 1.3F;
 constexpr float kCoarser = 0.55F;
 constexpr float kUnevenPhase = 5.3F;
 constexpr float kPhase = 4.4F;
 constexpr float kEdgePhase = 1.9F;
-constexpr float kFiner = 2.0F; ///< Teeth of the edge than swellings of the width.
+constexpr float kFiner = 2.0F; ///< Factor by which the edge wavers faster than the width.
 constexpr float kMostCellsAcross = 96.0F;
 constexpr std::size_t kChunksAtOnce = 4;
 
-/// Of three cells in a row, so that those further away seldom need a look.
+/// Order in which three cells in a row are searched: the middle one first, so that the others can most often be
+/// skipped.
 constexpr std::array<std::size_t, 3> kNearFirst{1, 0, 2};
 
-/// From what a probe says to where the edge is, halfway between probes.
+/// Distance from a bare probe to the edge, over the probes' spacing: the edge lies about halfway between probes.
 constexpr float kBetweenProbes = 0.4F;
 
 } // namespace
@@ -73,7 +74,7 @@ void Hairline::makeCells()
         m_softenM * (1.0F + kWavers + kRecedes + kRecedesUneven * m_uneven) + kBetweenProbes * m_spacingM;
     const float cellM = std::max(reachM, std::max({extent.x, extent.y, extent.z}) / kMostCellsAcross);
     m_perCell = 1.0F / cellM;
-    m_originHd = least - 1.5F * cellM; // However the positions' cells are rounded.
+    m_originHd = least - 1.5F * cellM; // Positions stay inside the grid however their cells are rounded.
     m_size = glm::u64vec3(extent * m_perCell) + glm::u64vec3(4);
 
     m_cell.resize(roots.count());
@@ -201,7 +202,7 @@ float Hairline::depthAt(std::uint32_t slot) const
                 for (std::uint32_t i = m_first[other]; i < m_first[other] + m_bareIn[other]; ++i) {
                     const glm::vec3 apart = m_bareHd[i] - rootHd;
                     const float squared = glm::dot(apart, apart);
-                    // Not the other side of an ear.
+                    // Probes on the other side of an ear do not count.
                     if (squared < least && glm::dot(roots.normalHd[m_bare[i]], normalHd) > 0.0F)
                         least = squared;
                 }
@@ -230,9 +231,9 @@ void thinAtDepth(float baby, float depth, std::uint64_t seed, std::uint32_t rank
 {
     if (depth >= 1.0F)
         return;
-    constexpr float kShortest = 0.35F; // Of the length,
+    constexpr float kShortest = 0.35F; // Least and greatest fraction of its length that a hair at the edge keeps,
     constexpr float kLongest = 0.85F;
-    constexpr float kFinest = 0.5F; // and of the width.
+    constexpr float kFinest = 0.5F; // and of its width.
     constexpr float kWidest = 0.8F;
     const std::uint64_t key = hash64(seed ^ kHairlineKey, rank);
     const std::uint64_t chances = hash64(key, 1);

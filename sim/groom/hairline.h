@@ -15,9 +15,9 @@
 
 namespace hairpaint::sim {
 
-/// The even cover that the first of the ranks make of the skin is its measure: where their density is nothing, skin is
-/// bare, and a root's depth follows from the nearest of those. So it needs neither the layout's neighbourhoods nor the
-/// mesh's, and a dab changes the roots around it alone. One thread writes; any number read between.
+/// The roots of the first ranks, which cover the skin evenly, are its probes: where a probe's density is next to 0 the
+/// skin is bare, and a root's depth follows from its distance to the nearest bare probe. So it needs no neighbourhoods
+/// of the layout or the mesh, and a dab changes only the roots around it. One thread writes; any number read between.
 class Hairline
 {
 public:
@@ -25,20 +25,20 @@ public:
     void startOver(const std::shared_ptr<const RootSet>& roots, const HairlineSettings& settings);
     [[nodiscard]] bool isOff() const { return m_depth.empty(); }
 
-    /// Reads the density of roots of `dirty` again, and adds those that are as deep no longer. Uses parallelFor.
+    /// Reads the density of the roots in `dirty` again, and adds the roots whose depth changes. Uses parallelFor.
     void update(const MapSampler& density, SlotSet& dirty);
 
-    /// Of the map.
+    /// The density map's value at the root, 0..1.
     [[nodiscard]] float density(std::uint32_t slot) const { return m_density[slot]; }
-    /// 0 at the edge, 1 from `softenM` on, more or less, and where there is no hair.
+    /// 0 at the edge, 1 from about `softenM` inside it on, and where there is no hair.
     [[nodiscard]] float depth(std::uint32_t slot) const { return m_depth[slot]; }
 
 private:
     void makeCells();
     [[nodiscard]] std::size_t cellOf(glm::vec3 positionHd) const;
-    /// Brings what is bare up to date; marks the cells in whose reach that differs.
+    /// Updates which probes are bare; marks the cells that touch a cell where that differs.
     void readBare(const SlotSet& dirty, std::vector<std::uint8_t>& differs);
-    /// `change` of all cells that touch one.
+    /// Calls `change` with a cell and with all cells that touch it.
     template<typename Change>
     void aroundCell(std::size_t cell, const Change& change) const;
     [[nodiscard]] float depthAt(std::uint32_t slot) const;
@@ -46,23 +46,24 @@ private:
     std::shared_ptr<const RootSet> m_roots;
     float m_softenM = 0.0F;
     float m_uneven = 0.0F;
-    float m_spacingM = 0.0F; ///< Of the probes.
+    float m_spacingM = 0.0F; ///< Mean distance of neighbouring probes.
     glm::vec3 m_originHd{0.0F};
-    float m_perCell = 0.0F;                 ///< 1/m; a cell is as large as the reach of an edge.
-    glm::u64vec3 m_size{0};                 ///< In cells, with one to spare on each side.
-    std::vector<std::uint32_t> m_cell;      ///< [slots]
-    std::vector<float> m_density;           ///< [slots]
-    std::vector<float> m_depth;             ///< [slots]
-    std::vector<std::uint32_t> m_first;     ///< [cells + 1]: the probes in each,
-    std::vector<std::uint32_t> m_probe;     ///< their slots,
-    std::vector<std::uint8_t> m_isBare;     ///< and whether hair does not grow there.
-    std::vector<std::uint32_t> m_bare;      ///< Slots of those of a cell that are, from its m_first on,
-    std::vector<glm::vec3> m_bareHd;        ///< and where they are.
-    std::vector<std::uint32_t> m_bareIn;    ///< [cells]: number of those that are bare.
-    std::vector<std::uint8_t> m_bareAround; ///< [cells]: number of cells with such, of itself and those that touch it.
+    float m_perCell = 0.0F;              ///< 1/m; a cell is as large as the reach of an edge.
+    glm::u64vec3 m_size{0};              ///< Cells along each axis, with a spare one on each side.
+    std::vector<std::uint32_t> m_cell;   ///< [slots]
+    std::vector<float> m_density;        ///< [slots]
+    std::vector<float> m_depth;          ///< [slots]
+    std::vector<std::uint32_t> m_first;  ///< [cells + 1] where each cell's probes begin in the arrays by probe.
+    std::vector<std::uint32_t> m_probe;  ///< [probes] slots, cell by cell.
+    std::vector<std::uint8_t> m_isBare;  ///< [probes] 1 where no hair grows.
+    std::vector<std::uint32_t> m_bare;   ///< [probes] slots of a cell's bare probes, from its m_first on.
+    std::vector<glm::vec3> m_bareHd;     ///< [probes] and their positions.
+    std::vector<std::uint32_t> m_bareIn; ///< [cells] number of bare probes.
+    /// [cells] number of cells with bare probes among it and those that touch it.
+    std::vector<std::uint8_t> m_bareAround;
 };
 
-/// Part of the density that is left at a depth.
+/// Fraction of the density that is left at a depth.
 [[nodiscard]] float densityAtDepth(float depth);
 /// What chance and the hairline make of a hair that its map and curl give `lengthM`.
 [[nodiscard]] HairVariation variationAt(const GroupSettings& settings, const RootSet& roots, const Hairline& hairline,

@@ -12,9 +12,9 @@ namespace hairpaint::sim {
 
 namespace {
 
-/// A parting is looked for between points so far to each side of a root,
+/// Distance from a root to the points on each side between which a parting is looked for, m.
 constexpr float kProbeM = 0.005F;
-/// and found between points that are so far apart, so many to each side of it.
+/// Distance of the samples that find a parting's line, m, and their number to each side of the root.
 constexpr float kStepM = 0.0015F;
 constexpr int kSteps = 3;
 
@@ -27,10 +27,10 @@ bool isUpright(const MapSampler& direction)
 
 std::size_t Lay::mostPassed(int nodes)
 {
-    // Where a segment takes one step, one a segment; else steps are longer than half the longest.
+    // One cell a segment where a segment takes one step; else steps are longer than half the longest.
     constexpr auto kOfShortSteps = static_cast<std::size_t>(kFurthestLayM / (0.5F * kLongestLayStepM)) + 2;
     static_assert(kOfShortSteps < kMostPassed && kMostNodes <= static_cast<int>(kMostPassed));
-    return std::max(static_cast<std::size_t>(nodes - 1), kOfShortSteps) + 1; // That to which it has strayed.
+    return std::max(static_cast<std::size_t>(nodes - 1), kOfShortSteps) + 1; // And the cell of m_strayedTo.
 }
 
 bool Lay::add(const LayRoot& root, float lengthM)
@@ -64,7 +64,7 @@ bool Lay::add(const LayRoot& root, float lengthM)
     m_lanes.falls[lane] = falls;
     m_lanes.coatM[lane] = std::min(m_inputs.coatM, 0.001F + 0.12F * lengthM) * (0.3F + 0.7F * root.chance);
     m_lanes.liftM[lane] = root.liftM;
-    constexpr float kRisesWithin = 0.4F; // Of the length.
+    constexpr float kRisesWithin = 0.4F; // Greatest fraction of the length along which the coat rises.
     float riseM = std::min(m_inputs.coatRiseM, kRisesWithin * lengthM);
     if (root.liftM > 0.0F && root.liftRises) {
         riseM = std::min(riseM, kCoilEaseRadii * root.liftM);
@@ -74,7 +74,7 @@ bool Lay::add(const LayRoot& root, float lengthM)
         riseM = 0.0F; // A coil needs its room at once.
     }
     m_lanes.perRise[lane] = riseM > 0.0F ? 1.0F / riseM : 0.0F;
-    constexpr float kAcrossM = 0.009F; // A parting, two cells wide.
+    constexpr float kAcrossM = 0.009F; // The width of a parting: two cells.
     m_lanes.keepsM[lane] = strays && growth != own ? kAcrossM : 0.0F;
     m_lanes.lies[lane] = square > kStandsBelow * kStandsBelow ? 1.0F : 0.0F;
     m_isUpright[lane] = square == 0.0F;
@@ -83,9 +83,9 @@ bool Lay::add(const LayRoot& root, float lengthM)
 
 bool Lay::isBare(const LayRoot& root, float falls, glm::vec3 growth, float gapM) const
 {
-    constexpr float kDiverges = 1.0F; ///< Directions on both sides of a parting, by twice their length at most,
-    constexpr float kParallel = 0.5F; ///< and less along it; in a whorl they do all around.
-    constexpr float kCrosses = 0.7F;  ///< From that chance on a hair crosses the line all the same.
+    constexpr float kDiverges = 1.0F; ///< Least difference of the directions on both sides of a parting, at most 2,
+    constexpr float kParallel = 0.5F; ///< and the greatest along it; in a whorl directions differ all around.
+    constexpr float kCrosses = 0.7F;  ///< A hair whose chance is greater crosses the line all the same.
     if (root.chance > kCrosses || glm::dot(growth, growth) < kStandsBelow * kStandsBelow)
         return false;
     const SkinBand& band = *m_inputs.field->band();
@@ -110,13 +110,13 @@ bool Lay::isBare(const LayRoot& root, float falls, glm::vec3 growth, float gapM)
 
     constexpr float kWaverPhase = 2.6F;
     constexpr float kFiner = 1.7F;
-    constexpr float kUneven = 0.35F; ///< Of its width;
-    constexpr float kFrayed = 0.4F;  ///< and by how much of that single hairs differ.
+    constexpr float kUneven = 0.35F; ///< Fraction by which the line's width wavers;
+    constexpr float kFrayed = 0.4F;  ///< fraction of it by which single hairs differ.
     const glm::vec3 offset = root.frame.x * (m_inputs.partWaversM * wavering(root.positionHd, 0.0F)) +
                              root.frame.y * (m_inputs.partWaversM * wavering(root.positionHd, kPartAlongPhase));
     const float bareM = 0.5F * gapM * (1.0F + kUneven * wavering(root.positionHd * kFiner, kWaverPhase)) *
                         (1.0F + kFrayed * (root.chance - 0.5F));
-    // Between the points of two cells that are of two sides.
+    // The line lies between two samples whose cells are on different sides.
     float beforeM = 0.0F;
     float beforeTo = 1.0F;
     for (int step = -kSteps; step <= kSteps; ++step) {
@@ -144,7 +144,7 @@ void Lay::lay()
 {
     if (m_count == 0)
         return;
-    // Lanes of nobody do as the first.
+    // Unused lanes repeat the first.
     for (std::size_t lane = m_count; lane < kLanes; ++lane) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             m_lanes.rootHd[axis][lane] = m_lanes.rootHd[axis][0];

@@ -20,25 +20,26 @@ struct LayRoot
     SkinFrame frame;
     glm::vec2 uv{0.0F};
     float chance = 0.5F; ///< 0..1, the hair's own: its height in the coat.
-    /// From where on the skin it takes its direction, from the root; 0 unless it is one that may cross a parting.
+    /// Offset from the root to the point whose direction it takes, see strayOf(); 0 for hair that may not cross a
+    /// parting.
     glm::vec3 strayHd{0.0F};
-    float liftM = 0.0F;     ///< Above that height: the room below a coil's middle,
-    bool liftRises = false; ///< which it is given as the coil opens, and not at once.
+    float liftM = 0.0F;     ///< Height added to that in the coat: the room below a coil's middle,
+    bool liftRises = false; ///< which is gained as the coil opens, not at once.
 };
 
 /// Whether a direction map lets every hair stand along its normal.
 [[nodiscard]] bool isUpright(const MapSampler& direction);
 
-/// By what one group's hairs are laid.
+/// What the hairs of one group are laid by.
 struct LayInputs
 {
     const MapSampler& direction;
     const MapSampler* natural = nullptr; ///< The head's stream; null where it has none.
-    const LayField* field = nullptr;     ///< Of that map; null where isUpright(direction).
+    const LayField* field = nullptr;     ///< The field of `direction`; null where isUpright(direction).
     float coatM = 0.0F;                  ///< Thickness of the coat.
-    float coatRiseM = 0.0F;              ///< Along which it is gained; see PhysicsSettings::volumeRiseM.
+    float coatRiseM = 0.0F;              ///< Length along which the coat rises; see PhysicsSettings::volumeRiseM.
     float partGapM = 0.0F;               ///< See VariationSettings::partGapM; 0 for hairs that are solved.
-    float partWaversM = 0.0F;            ///< By how much, at most, the line of a parting does.
+    float partWaversM = 0.0F;            ///< Greatest distance by which the line of a parting wavers.
 };
 
 /// Lays up to kLanes hairs at once. How one lies does not depend on the others. One thread; must not outlive its
@@ -52,7 +53,7 @@ public:
     [[nodiscard]] bool isFull() const { return m_count == kLanes; }
     /// Must not be full. False where a parting bares the skin: the hair is laid as one without length.
     [[nodiscard]] bool add(const LayRoot& root, float lengthM);
-    void lay(); ///< All that were added since clear().
+    void lay(); ///< Lays all hairs added since clear().
 
     /// The skeletons in the order in which they were added, nodes evenly spaced: [nodes][3][kLanes], Hd. A direction of
     /// zero length gives a straight line along the normal. Whoever laid them may draw them on.
@@ -73,10 +74,10 @@ public:
 private:
     static constexpr std::size_t kMostPassed = 32;
 
-    /// To the last bit.
+    /// Replaces an upright hair's nodes by those of straightRest(), so that they agree with it to the last bit.
     void straighten(std::size_t hair);
-    /// `growth`, or that beyond a parting that is nearer than the hair strays; notes the cell that it depends on. Of a
-    /// hair that strays, over a field.
+    /// The direction of a hair that strays: that at root + strayHd where a parting lies between, else `growth`. Notes
+    /// the cell that it depends on in m_strayedTo. There must be a field.
     [[nodiscard]] glm::vec3 strayed(const LayRoot& root, float falls, glm::vec3 growth);
 
     /// Whether a root whose hair grows along `growth` is on the line that a parting bares.

@@ -25,11 +25,11 @@ public:
     [[nodiscard]] std::size_t cellCount() const { return m_cells.size(); }
     [[nodiscard]] const LayCell* cells() const { return m_cells.data(); }
 
-    /// What another direction map makes of it.
+    /// How the field changes with another direction map.
     struct Difference
     {
         MapRaster direction;
-        std::vector<std::uint32_t> indices; ///< Of the cells that differ,
+        std::vector<std::uint32_t> indices; ///< Indices of the cells that differ,
         std::vector<LayCell> cells;         ///< and the cells themselves.
     };
     [[nodiscard]] Difference differenceTo(const MapRaster& direction);

@@ -11,17 +11,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
 
-/// Of a cell: normal, height of the skin, direction of growth, of falling.
+/// Floats of a LayCell: normal, height of the skin, direction of growth, direction of falling.
 constexpr std::int32_t kCellFloats = 10;
 static_assert(sizeof(LayCell) == kCellFloats * sizeof(float));
 
 constexpr float kLiesFrom = 0.45F; ///< A field flatter than this holds hair fully.
 constexpr float kPerLyingRange = 1.0F / (kLiesFrom - kStandsBelow);
-constexpr float kTurnM = 0.008F;        ///< Along which hair turns to another direction.
-constexpr float kSteepest = 0.6F;       ///< Sine of the angle at which a hair goes back to the skin;
-constexpr float kSteepestOfLong = 0.2F; ///< of long hair, whose weight draws it straight past hollows such as the neck.
-constexpr float kMostPush = 0.5F;       ///< Of a step, out of the head.
-constexpr float kClearM = 0.0005F;      ///< Nothing is laid nearer to the skin.
+constexpr float kTurnM = 0.008F;  ///< Length along which hair turns to another direction.
+constexpr float kSteepest = 0.6F; ///< Greatest sine of the angle at which a hair leaves the skin or goes back to it.
+/// The same for long hair that goes back to it: its weight draws it straight past hollows such as the neck.
+constexpr float kSteepestOfLong = 0.2F;
+constexpr float kMostPush = 0.5F;  ///< Greatest push out of the head in a step, as a fraction of the step.
+constexpr float kClearM = 0.0005F; ///< Nothing is laid nearer to the skin.
 
 /// The cells that points are in, -1 where in none, and everywhere where not `wanted`.
 HWY_INLINE Ints cellsAt(const SkinBand::Grid& grid, const Lanes3& pHd, Yes wanted)
@@ -39,8 +40,9 @@ HWY_INLINE Ints cellsAt(const SkinBand::Grid& grid, const Lanes3& pHd, Yes wante
     return hn::IfThenElse(hn::RebindMask(di, inside.m), hn::GatherIndex(di, grid.indices, index), hn::Set(di, -1));
 }
 
-constexpr float kAgainst = -0.5F; ///< Cosine between a hair at its root and a field that is the other side's.
-constexpr float kEdgeM = 0.006F;  ///< A cell and a half.
+/// Cosine between a hair at its root and the field, below which the field is the other side's.
+constexpr float kAgainst = -0.5F;
+constexpr float kEdgeM = 0.006F; ///< Length from the root where that is checked: a cell and a half.
 
 /// As turnedBetween() of direction_texel.h.
 HWY_INLINE Lanes3 turned(const Lanes3& grown, const Lanes3& fallen, Lanes falls)
@@ -54,8 +56,8 @@ HWY_INLINE Lanes3 turned(const Lanes3& grown, const Lanes3& fallen, Lanes falls)
     return select(opposed, nearest, mean * (flatness / select(opposed, 1.0F, length)));
 }
 
-/// Cells are coarse: at the edge of a parting hair begins in one of the other side, and goes on as it does, as all
-/// does that `keeps` its direction.
+/// Cells are coarse: at the edge of a parting a hair may begin in a cell of the other side. It then keeps its own
+/// direction instead of the cell's, and so does every hair that `keeps`.
 HWY_INLINE Lanes3 goingOn(Yes atEdge, Yes keeps, const Lanes3& direction, const Lanes3& normal, const Lanes3& growth,
                           Lanes flatness)
 {
@@ -65,7 +67,7 @@ HWY_INLINE Lanes3 goingOn(Yes atEdge, Yes keeps, const Lanes3& direction, const 
     return select(strange, onward * (flatness / root(onward2)), growth);
 }
 
-/// Lanes from `lane` on.
+/// Lays as many hairs as a vector has lanes, from `lane` on.
 HWY_INLINE void layFrom(const LayTask& task, std::size_t lane)
 {
     const IntTag di;

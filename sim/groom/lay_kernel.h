@@ -18,8 +18,8 @@ inline constexpr float kStandsBelow = 0.15F;  ///< A field less flat than this h
 /// What a field holds for a cell of the band.
 struct LayCell
 {
-    glm::vec3 normalHd{0.0F}; ///< Of the skin, unit.
-    float skinM = 0.0F;       ///< Where the skin is along it, taken as flat here.
+    glm::vec3 normalHd{0.0F}; ///< Normal of the skin, unit.
+    float skinM = 0.0F;       ///< dot(normalHd, p) for points p of the skin, which is taken as flat in the cell.
     GrowthDirections directions;
 };
 
@@ -32,11 +32,11 @@ struct LayLanes
     Row segmentM{};
     Row steps{};   ///< Steps per segment.
     Row falls{};   ///< See fallFraction().
-    Row coatM{};   ///< Height at which it lies,
+    Row coatM{};   ///< Height in the coat at which it lies,
     Row liftM{};   ///< and what is added to it from the root on.
-    Row perRise{}; ///< 1/m: by what the coat is gained along the path; 0: at once.
-    Row keepsM{};  ///< So far along its path it keeps its direction, whatever the field.
-    Row lies{};    ///< 1 where it lies on the head at first, else 0.
+    Row perRise{}; ///< 1/m: one over the length along which the coat rises to its height; 0: at once.
+    Row keepsM{};  ///< Length from the root along which it keeps its direction, whatever the field.
+    Row lies{};    ///< 1 where it lies on the head at its root, 0 where it stands.
 };
 
 /// `nodesHd` [nodes][3][kLanes]; `passed` [kLanes][mostPassed] gets indices of cells, in order. Without cells all hairs

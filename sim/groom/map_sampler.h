@@ -27,7 +27,7 @@ public:
     {
         return m_uniform ? m_uniformValue : m_raster->sampleBilinear(uv);
     }
-    /// Of the direction map, in the frame of the root at uv.
+    /// The direction map's vector, in the frame of the root at uv.
     [[nodiscard]] DirectionVector vector(glm::vec2 uv) const
     {
         return m_uniform ? directionOf(*m_uniform) : directionAt(*m_raster, uv);

@@ -67,7 +67,8 @@ inline constexpr std::array kMapRules{
     MapRule{.slot = MapSlot::TipColour,
             .channels = 3,
             .effect = {.look = true},
-            .defaultValue = {0x3B3B, 0x2626, 0x1818}}, // Of empty layers; nothing painted shows the colour map.
+            .defaultValue = {0x3B3B, 0x2626, 0x1818}}, // What an empty layer holds; where nothing is painted, tips have
+                                                       // the colour map's colour.
     MapRule{.slot = MapSlot::Clump, .effect = {.hairs = true}},
     MapRule{.slot = MapSlot::Gel, .effect = {.basis = true}},
     MapRule{.slot = MapSlot::Direction,
@@ -78,7 +79,7 @@ inline constexpr std::array kMapRules{
     MapRule{.slot = MapSlot::Width, .effect = {.look = true}, .defaultValue = {32768}},
     MapRule{.slot = MapSlot::Gloss, .effect = {.look = true}, .defaultValue = {32768}},
     MapRule{.slot = MapSlot::TipStart, .effect = {.look = true}},
-    MapRule{.slot = MapSlot::Accessory, .sampling = MapSampling::Nearest, .effect = {}}, // Felt by its ties alone.
+    MapRule{.slot = MapSlot::Accessory, .sampling = MapSampling::Nearest, .effect = {}}, // Only its ties act.
 };
 inline constexpr std::size_t kMapSlotCount = kMapRules.size();
 
@@ -109,7 +110,7 @@ class GroupMaps
 public:
     [[nodiscard]] MapRaster& operator[](MapSlot slot) { return m_rasters[indexOf(slot)]; }
     [[nodiscard]] const MapRaster& operator[](MapSlot slot) const { return m_rasters[indexOf(slot)]; }
-    /// By pointers.
+    /// Compares the rasters' pointers, not their texels.
     friend bool operator==(const GroupMaps&, const GroupMaps&) = default;
 
 private:

@@ -11,7 +11,7 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr std::size_t kCellsPerBit = 8; ///< Of a chunk's summary.
+constexpr std::size_t kCellsPerBit = 8; ///< Cells in a row that share a bit of a chunk's summary.
 
 /// One bit an index; grows as needed.
 void insertBit(std::vector<std::uint64_t>& words, std::size_t index)
@@ -37,7 +37,7 @@ std::vector<SparseWord> sparse(const std::vector<std::uint64_t>& words)
     return kept;
 }
 
-/// A list's cells, of which neighbours most often share a bit; returns their number.
+/// Inserts the cells of a list, of which neighbours most often share a bit; returns their number.
 std::size_t insertNear(std::vector<std::uint64_t>& near, std::span<const std::int32_t> cells)
 {
     std::size_t last = std::numeric_limits<std::size_t>::max();
@@ -77,7 +77,7 @@ void PassedCells::put(std::size_t strand, std::span<const std::int32_t> cells)
     std::copy_n(cells.begin(), count, list);
     if (count < m_most)
         list[static_cast<std::ptrdiff_t>(count)] = SkinBand::kNone;
-    // What was passed before stays in the summary, until as much was put as making it anew reads.
+    // Cells of earlier lists stay in the summary until as many lists were put as renewing it reads.
     if (++chunk.puts > 2 * kChunkSlots)
         renew(chunk);
 }

@@ -16,9 +16,9 @@ namespace hairpaint::sim {
 struct PatchTile
 {
     RasterTilePtr source;
-    std::vector<std::uint16_t> kinds;  ///< Of each part: the map's value.
-    std::vector<std::uint32_t> counts; ///< Of each part: its texels.
-    std::vector<std::uint16_t> parts;  ///< [64 * 64] a part from 1 on, 0 none; empty where there is none.
+    std::vector<std::uint16_t> kinds;  ///< [parts] the map's value.
+    std::vector<std::uint32_t> counts; ///< [parts] number of texels.
+    std::vector<std::uint16_t> parts;  ///< [64 * 64] part from 1 on, 0: none; empty where the tile has no part.
 };
 
 struct Patch
@@ -36,14 +36,14 @@ public:
     /// Brings it to the map; an other `islands` begins anew.
     void update(const MapRaster& map, const std::shared_ptr<const SkinIslands>& islands);
 
-    [[nodiscard]] std::span<const Patch> patches() const { return m_patches; } ///< By their first parts.
+    [[nodiscard]] std::span<const Patch> patches() const { return m_patches; } ///< Sorted by their first parts.
     [[nodiscard]] const PatchTile& tile(int index) const { return *m_tiles[static_cast<std::size_t>(index)]; }
     [[nodiscard]] const std::shared_ptr<const PatchTile>& tilePointer(int index) const
     {
         return m_tiles[static_cast<std::size_t>(index)];
     }
     [[nodiscard]] int tileCount() const { return static_cast<int>(m_tiles.size()); }
-    /// Of a part from 1 on; index into patches().
+    /// Index into patches() of the patch that a part (from 1 on) of a tile belongs to.
     [[nodiscard]] std::size_t patchOf(int tile, std::uint16_t part) const
     {
         return m_patchOfPart[m_firstPart[static_cast<std::size_t>(tile)] + part - 1U];
@@ -59,7 +59,7 @@ private:
     std::shared_ptr<const SkinIslands> m_islands;
     MapRaster m_map;
     std::vector<std::shared_ptr<const PatchTile>> m_tiles;
-    std::vector<std::uint32_t> m_firstPart; ///< Of each tile.
+    std::vector<std::uint32_t> m_firstPart; ///< [tiles] index of the tile's part 1 in m_patchOfPart.
     std::vector<std::size_t> m_patchOfPart;
     std::vector<Patch> m_patches;
 };

@@ -11,21 +11,21 @@
 
 namespace hairpaint::sim {
 
-/// How many times as long as its taper a hair is, at least 1: it thins out over the last part of that. 1 without a
-/// taper.
+/// A hair's length over the length of its taper, at least 1; 1 without a taper.
 [[nodiscard]] inline float perTaperOf(const StrandMaterial& material, float lengthM)
 {
     return material.taperM > 0.0F ? std::max(lengthM / material.taperM, 1.0F) : 1.0F;
 }
 
-/// Part of the diameter that is left at fraction s of the hair; as opacity it is that of a hair of whole width.
+/// Fraction of the diameter that is left at fraction s of the hair. Used as opacity instead where the hair is drawn at
+/// its whole width.
 [[nodiscard]] inline float thinnedAt(const StrandMaterial& material, float perTaper, float s)
 {
     const float t = std::max(s * perTaper + (1.0F - perTaper), 0.0F);
     return glm::mix(material.rootAlpha, material.tipAlpha, t * t);
 }
 
-/// Of the group's shine, and of how sharp its highlights are: exactly 1 where nothing is painted.
+/// Factors on the group's shine and on the sharpness of its highlights: exactly 1 where nothing is painted.
 struct Gloss
 {
     float shine = 1.0F;
@@ -60,13 +60,13 @@ struct Gloss
     return std::clamp(((kLeast + kGrowth * material.roughness) / sharpness - kLeast) / kGrowth, 0.0F, 1.0F);
 }
 
-/// The tip colour's part of the whole at fraction s: clamp(s scale + offset) to 0..1.
+/// Weight of the tip colour at fraction s of the hair: s scale + offset, clamped to 0..1.
 struct TipMix
 {
     float scale = 1.0F;
     float offset = 0.0F;
     [[nodiscard]] float at(float s) const { return std::clamp(s * scale + offset, 0.0F, 1.0F); }
-    /// Whether it bends between two fractions, so that it is not told by its values there.
+    /// Whether the weight is not linear between two fractions.
     [[nodiscard]] bool bendsWithin(float from, float to) const
     {
         const auto isWithin = [&](float s) { return s > from + 1e-3F && s < to - 1e-3F; };
@@ -76,7 +76,7 @@ struct TipMix
 /// `tipStart` as the map has it: from 0, where the group says, to 1, at the very tip.
 [[nodiscard]] inline TipMix tipMixOf(const StrandMaterial& material, float tipStart = 0.0F)
 {
-    constexpr float kSharpest = 1e-3F; ///< Of the length: a line.
+    constexpr float kSharpest = 1e-3F; ///< Least fraction of the length over which the colour changes: a line.
     const float from = material.tipFrom + (1.0F - material.tipFrom) * tipStart;
     const float scale = 1.0F / std::max(material.tipOver * (1.0F - from), kSharpest);
     return {.scale = scale, .offset = from * -scale};

@@ -249,7 +249,7 @@ StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, con
     style.curlRadiusM = coil.radiusM;
     if (own.babyM > 0.0F) {
         constexpr float kTurns = 0.9F;
-        constexpr float kRadius = 0.07F; // Of its length.
+        constexpr float kRadius = 0.07F; // As a fraction of its length.
         style.lengthM = std::min(style.lengthM, own.babyM);
         style.turns = kTurns * own.turns;
         style.curlRadiusM = kRadius * style.lengthM;

@@ -13,7 +13,7 @@ struct RootValues
 {
     float length = 0.0F;
     float curl = 0.0F;
-    float curlSize = 0.0F; ///< Where there is curl.
+    float curlSize = 0.0F; ///< 0..1; 0 where there is no curl.
 };
 [[nodiscard]] RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv);
 
@@ -37,7 +37,7 @@ struct WispChance
 [[nodiscard]] LayRoot layRootOf(const GroupSettings& settings, const RootSet& roots, std::uint32_t slot,
                                 const RootChance& chance, float liftM = 0.0F);
 
-/// Of the curl-size map's value, m: exactly half of the greatest where nothing is painted.
+/// Radius of a coil from the curl-size map's value, m: exactly half of the greatest where nothing is painted.
 [[nodiscard]] float curlRadiusOf(const GroupSettings& settings, float value);
 
 /// Seen length over cut length p / sqrt(p^2 + (pi D)^2) of a coil of pitch p and diameter D; 1 where lengths are as
@@ -53,7 +53,7 @@ struct Coil
     float turns = 0.0F; ///< Over the whole hair.
     float radiusM = 0.0F;
 };
-/// Of the values of curl and curl size for a hair of a length.
+/// The coil of a hair of `lengthM` from the curl and curl-size maps' values.
 [[nodiscard]] Coil coilOf(const GroupSettings& settings, float curl, float curlSize, float lengthM);
 /// How far above the coat a coil in real units is laid, so that it lies on the skin and not in it; 0 for others.
 [[nodiscard]] float liftOf(const GroupSettings& settings, float radiusM, float lengthM);
@@ -61,10 +61,10 @@ struct Coil
 /// 0 where straight.
 [[nodiscard]] float giveOf(const Coil& coil, float lengthM);
 
-/// Of the length map's value, m.
+/// Length of a hair from the length map's value, m.
 [[nodiscard]] float lengthOf(const GroupSettings& settings, float value);
 
-/// Of the width map's value: exactly 1 where nothing is painted.
+/// Factor on a hair's diameter from the width map's value: exactly 1 where nothing is painted.
 [[nodiscard]] float widthOf(float value);
 
 /// What the maps say that changes how hairs look, not where they lie. What is the same for all is found once. Must not
@@ -90,11 +90,11 @@ private:
 
     const GroupSettings& m_settings;
     const MapSamplers& m_maps;
-    bool m_hasColours = false; ///< m_common has those of all hairs that are not grey,
-    bool m_hasSurface = false; ///< and frizz, width and gloss of all.
+    bool m_hasColours = false; ///< m_common holds the colours of all hairs that are not grey,
+    bool m_hasSurface = false; ///< m_common holds frizz, width and gloss of all hairs.
     StrandStyle m_common;
 };
-/// With this, not the hair's own, its curl differs from what the maps say.
+/// Scales a style's turns and curl radius by `variation`, which is that of the hair's lock where it curls in step.
 void varyCurl(const HairVariation& variation, StrandStyle& style);
 /// A hair that is not braided, its curl as the maps say, without its look; `detail` = threshold / density.
 [[nodiscard]] StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, const RootChance& chance,

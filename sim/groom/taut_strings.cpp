@@ -13,13 +13,14 @@ namespace {
 
 constexpr std::uint32_t kNoString = 0xFFFFFFFFU;
 constexpr std::size_t kCoarse = 3;           ///< Spans of a string at first; they are halved twice.
-constexpr std::array kPulls = {5, 4, 3};     ///< Then so often.
-constexpr float kStringClearanceM = 0.0005F; ///< Of the string from the skin.
-constexpr float kLeastHeadM = 0.03F;         ///< Distance of the middle of the head from the end,
-constexpr float kMostHeadM = 0.12F;          ///< within.
-constexpr float kLargeHeadM = 0.09F;         ///< Where nothing is met on the other side.
+constexpr std::array kPulls = {5, 4, 3};     ///< Times that a string is pulled before, between and after.
+constexpr float kStringClearanceM = 0.0005F; ///< Distance of a string from the skin.
+constexpr float kLeastHeadM = 0.03F;         ///< Least distance of the middle of the head from the strings' end,
+constexpr float kMostHeadM = 0.12F;          ///< and the greatest.
+constexpr float kLargeHeadM = 0.09F;         ///< That distance where a ray through the head meets no other side.
 
-constexpr float kOtherSide = 0.3F; ///< Cosine of the angle at the middle of the head from which on it is.
+constexpr float kOtherSide = 0.3F; ///< Cosine of the angle at the middle of the head, between a root and the end, below
+                                   ///< which the root is on the other side.
 constexpr std::size_t kLastPoint = kStringPoints - 1;
 
 static_assert(kCoarse << 2U == kStringPoints - 1);

@@ -7,7 +7,7 @@
 
 namespace hairpaint::sim {
 
-/// What becomes of hair behind the ring.
+/// What hair does behind the ring.
 enum class TieForm : std::uint8_t
 {
     Tail, ///< It falls.
@@ -23,7 +23,7 @@ struct Tie
     float radiusM = 0.01F;                   ///< Inner radius of the ring.
     float tightness = 1.0F;                  ///< 1: taut on the skin; 0: with the coat's height.
     TieForm form = TieForm::Tail;
-    float bunRadiusM = 0.03F; ///< Of the coil, outside; read with Bun alone.
+    float bunRadiusM = 0.03F; ///< Outer radius of the bun's coil; used with Bun alone.
     friend bool operator==(const Tie&, const Tie&) = default;
 };
 

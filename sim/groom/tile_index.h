@@ -20,7 +20,7 @@ public:
         const auto at = static_cast<std::size_t>(tile);
         return std::span(m_slots).subspan(m_start[at], m_start[at + 1] - m_start[at]);
     }
-    /// Of several tiles, one after the other.
+    /// The slots of several tiles, tile after tile.
     [[nodiscard]] std::vector<std::uint32_t> slotsOf(std::span<const int> tiles) const;
 
 private:

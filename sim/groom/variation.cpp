@@ -49,17 +49,17 @@ enum Which : std::uint64_t
 };
 
 constexpr float kLeastLengthM = 1e-4F;
-constexpr float kOfPatches = 0.1F; ///< Of a length, at most.
+constexpr float kOfPatches = 0.1F; ///< Greatest fraction of a hair's length that patches take.
 
 /// 0..1: how far a root lies in a patch of shorter hair.
 float inPatch(const VariationSettings& settings, glm::vec3 rootHd)
 {
-    constexpr float kAcross = 0.45F; ///< Of how fast it wavers: patches some 5 cm apart.
+    constexpr float kAcross = 0.45F; ///< Factor on the position given to wavering(): patches are some 5 cm apart.
     constexpr float kPhase = 3.3F;
     return settings.patches * (0.5F + 0.5F * wavering(rootHd * kAcross, kPhase));
 }
 
-/// By an angle around a unit axis.
+/// Rotation by an angle around a unit axis.
 class Turn
 {
 public:
@@ -124,7 +124,7 @@ glm::vec3 strayOf(const VariationSettings& settings, std::uint64_t seed, std::ui
 {
     if (settings.parting <= 0.0F)
         return glm::vec3(0.0F);
-    constexpr float kCrossing = 0.25F; // Of the hairs; the others keep close to the line.
+    constexpr float kCrossing = 0.25F; // Fraction of the hairs with the whole reach; the others keep close to the line.
     constexpr float kClose = 0.3F;
     const Chances chances(seed, rank);
     const float reach = chances.unit(Crosses) < kCrossing ? 1.0F : kClose;
@@ -183,7 +183,7 @@ glm::vec3 greyed(glm::vec3 colour, float chance)
 void turnLane(const HairVariation& variation, float clump, const SkinFrame& frame, float lengthM, int nodes,
               float* nodesHd)
 {
-    constexpr float kMostAcrossM = 0.04F; ///< Of the tip.
+    constexpr float kMostAcrossM = 0.04F; ///< Greatest displacement of the tip across, m; kMostLiftM: off the skin.
     constexpr float kMostLiftM = 0.02F;
     const auto nodeAt = [nodesHd](int node) {
         const float* at = nodesHd + static_cast<std::size_t>(node) * StrandBlocks::kNodeStride;

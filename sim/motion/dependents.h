@@ -31,20 +31,22 @@ private:
     struct Chunk
     {
         std::shared_ptr<const StrandChunk> styles;
-        AlignedFloats lanes;                                          ///< [kBlocksPerChunk][dependentRows][kLanes]
-        std::vector<std::uint16_t> braided;                           ///< Slots within the chunk that are drawn.
-        std::vector<std::array<float, RootSet::kNeighbours>> weights; ///< [kChunkSlots] of the basis hairs it follows.
+        AlignedFloats lanes;                ///< [kBlocksPerChunk][dependentRows][kLanes]
+        std::vector<std::uint16_t> braided; ///< Slots within the chunk that are drawn.
+        /// [kChunkSlots] weights of the basis hairs that each follows.
+        std::vector<std::array<float, RootSet::kNeighbours>> weights;
         /// [kChunkSlots] those basis hairs; empty where every hair follows the nearest ones.
         std::vector<std::array<std::uint32_t, RootSet::kNeighbours>> followed;
         std::vector<std::uint16_t> parted; ///< Slots whose nearest basis hairs all lie to another side.
-        /// As the styles' rest positions, but for long hairs that lie as none around; empty where there are none.
+        /// A copy of the styles' rest positions in which some long hairs, that lie as none around them, differ; empty
+        /// where there are no such hairs.
         std::vector<float> rest;
     };
-    /// Of a hair, what tells how much those around are like it.
+    /// What of a hair is compared to tell whether hairs lie alike, see agreement().
     struct Lead
     {
-        glm::vec3 reach{0.0F}; ///< From the root to the tip, by what its displacements are divided by.
-        glm::vec3 start{0.0F}; ///< Unit: from the root to a quarter of its length.
+        glm::vec3 reach{0.0F}; ///< From the root to the tip, over the length that its displacements are divided by.
+        glm::vec3 start{0.0F}; ///< Unit: direction from the root to about a quarter of its length.
         float lengthM = 0.0F;
         friend bool operator==(const Lead&, const Lead&) = default;
     };
@@ -52,21 +54,21 @@ private:
                                      float lengthM, float perLength);
     /// 1 where both lie at one position, 0 where they lie to different sides.
     [[nodiscard]] static float agreement(const Lead& a, const Lead& b);
-    /// Brings m_leads to the groom; false where none differs, else `changed` tells which: [basis lanes].
+    /// Updates m_leads to the groom; returns whether any differs, and in `changed` [basis lanes] which.
     bool findChangedBasis(const Groom& groom, std::vector<std::uint8_t>& changed);
-    /// For a chunk that else stays as it is.
+    /// Follows anew, in a chunk that is kept, for the hairs whose basis hairs changed.
     void followChangedBasis(const Groom& groom, const std::vector<std::uint8_t>& changed, std::size_t index);
     /// How much a drawn hair follows each of its basis hairs. One of another length (at the edge of a cut), or that
     /// lies to another side, counts less, and the nearest counts the more the closer the hair clumps to it. Where all
     /// of the nearest lie to another side, as beside a parting, it follows one next to them that does not.
     void follow(const Groom& groom, std::size_t index, std::size_t slot);
-    /// Makes a hair follow those that the groom says.
+    /// Makes a hair follow the basis hairs of StrandChunk::followed.
     void followGiven(const Groom& groom, std::size_t index, std::size_t slot);
     /// Makes a hair follow the basis hair that leads its lock as closely as it clumps.
     void followLock(const Groom& groom, std::size_t index, std::size_t slot, float clump);
     /// The basis hair whose lock it is in; the nearest where locks have no others.
     [[nodiscard]] static std::uint32_t leaderOf(const Groom& groom, std::size_t index, std::size_t slot);
-    /// Room for hairs that follow others than the nearest.
+    /// Fills a chunk's `followed` with the nearest basis hairs, for hairs that will follow others.
     void makeFollowed(const Groom& groom, std::size_t index);
     void layAlong(const Groom& groom, std::size_t index, std::size_t slot, std::uint32_t basis);
     void setClump(const Groom& groom, std::size_t index, std::size_t slot, float clump);

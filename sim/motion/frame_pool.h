@@ -59,7 +59,8 @@ private:
     {
         static constexpr std::size_t kMost = 3;
         std::vector<std::unique_ptr<StrandFrame>> frames;
-        std::size_t usualFloats = std::numeric_limits<std::size_t>::max(); ///< Of positions, in a frame.
+        /// Floats of positions in the frame written last.
+        std::size_t usualFloats = std::numeric_limits<std::size_t>::max();
 
         [[nodiscard]] bool fits(const StrandFrame& frame) const
         {

@@ -21,16 +21,16 @@ public:
     GatheredHair(GatheredHair&&) noexcept;
     GatheredHair& operator=(GatheredHair&&) noexcept;
 
-    /// As GroupDynamics::setGroom; nothing is left of tails where the groom has none.
+    /// As GroupDynamics::setGroom; drops the tails where the groom has none.
     void setGroom(const Groom& groom, const ColliderSet& colliders, const StepForces& calm);
     /// How the tails move; null where there are none.
     [[nodiscard]] GroupDynamics* tails() const { return m_tails.get(); }
-    /// Writes the gathered hairs into a frame of the group that is filled otherwise.
+    /// Writes the gathered hairs into a frame of the group whose other hairs are written.
     void write(GroupFrame& frame, float fraction, const HeadPose& pose, const Neck& neck) const;
 
 private:
     std::unique_ptr<GroupDynamics> m_tails;
-    mutable GroupFrame m_frame; ///< Of the tails; its buffer is reused.
+    mutable GroupFrame m_frame; ///< The tails' frame; its buffer is reused.
 };
 
 } // namespace hairpaint::sim

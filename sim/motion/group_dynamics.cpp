@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kBlocksAtOnce = 16;
 constexpr int kSettleSteps = 84; ///< 0.7 s
 constexpr float kSettleDamping = 5.0F;
-constexpr float kHeldFully = 0.05F; ///< A hold of which half is seen at once.
+constexpr float kHeldFully = 0.05F; ///< Hold at which a hanging strand is half in its styled shape.
 
 /// By how much the edges of one shape point elsewhere than those of the other: 0 within 30 degrees, 1 from 70.
 float turnBetween(std::span<const glm::vec3> before, std::span<const glm::vec3> after)
@@ -43,7 +43,7 @@ glm::vec3 downOf(const StepForces& calm)
     return pull > 0.0F ? gravity / pull : glm::vec3(0.0F, -1.0F, 0.0F);
 }
 
-/// How often the distance within which hair lies still has doubled.
+/// Number of times that the distance within which hair counts as still has doubled.
 unsigned doublingsAfter(std::size_t calmSteps)
 {
     constexpr std::size_t kExact = 480; // 4 s
@@ -168,8 +168,8 @@ std::vector<std::size_t> GroupDynamics::takeStrands(const Groom& before, std::sp
     return arrived;
 }
 
-/// A strand whose rest shape turns away cannot go along with that: as far from the new one as from the old, hair that
-/// hung would fly.
+/// Moves a strand to its new rest shape. One whose rest shape turns to another direction cannot keep its displacement:
+/// hair that hung would stand off as far from the new shape as it hung from the old.
 void GroupDynamics::reshape(const Groom& before, std::size_t was, std::size_t strand, glm::vec3 downHd)
 {
     const Groom& now = *m_groom;
@@ -213,7 +213,7 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
 {
     if (strands.empty())
         return;
-    // The newcomers alone, packed into blocks of their own.
+    // Only the strands that are new are stepped, packed into blocks of their own.
     const auto nodes = static_cast<std::size_t>(m_groom->nodes);
     StrandState alone;
     alone.present = 0;
@@ -310,7 +310,7 @@ void GroupDynamics::rouse()
 std::size_t GroupDynamics::calmDown(std::span<const StepForces> steps)
 {
     const unsigned doublings = doublingsAfter(m_calmSteps);
-    constexpr float kDamps = 0.1F; // Of the speed, in a step.
+    constexpr float kDamps = 0.1F; // Fraction of the speed taken in a step, per doubling.
     m_gains.stillM = kStillM * static_cast<float>(1U << doublings);
     m_gains.drag = m_drag * (1.0F - kDamps * static_cast<float>(doublings));
     std::size_t count = 0;

@@ -7,8 +7,8 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr float kFurthestM = 0.15F;         ///< In a step.
-constexpr float kLeastHalfCosine = 0.9922F; ///< Of half the angle turned in a step, 0.25 rad.
+constexpr float kFurthestM = 0.15F; ///< Greatest distance of the head in a step; a faster head takes its hair along.
+constexpr float kLeastHalfCosine = 0.9922F; ///< Cosine of half the greatest angle turned in a step, 0.25 rad.
 
 glm::quat normalised(const glm::quat& q)
 {

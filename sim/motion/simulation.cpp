@@ -15,10 +15,10 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr int kMostStepsAtOnce = 8;
-/// Sums of frame times fall a hair short of whole steps.
+/// Fraction of a step that sums of frame times may fall short of whole steps by.
 constexpr double kRounding = 1e-6;
 
-/// Whether any hair stands lower than that on the head.
+/// Whether any hair's root lies lower than that on the head.
 bool growsBelow(std::span<const std::shared_ptr<const Groom>> grooms, float heightY)
 {
     return std::ranges::any_of(grooms, [heightY](const std::shared_ptr<const Groom>& groom) {
@@ -50,8 +50,8 @@ struct Simulation::State
     double simulatedSeconds = 0.0;
     double stepMilliseconds = 0.0;
     std::size_t rebuilt = 0;
-    std::uint64_t revision = 0; ///< Of the last input,
-    bool preview = false;       ///< and whether it was one.
+    std::uint64_t revision = 0; ///< GroomInput::revision of the last input.
+    bool preview = false;       ///< GroomInput::preview of the last input.
 
     [[nodiscard]] bool asleep() const
     {

@@ -28,7 +28,7 @@ struct GroupFrame
     /// Skeleton nodes of every slot of every positioned chunk: [positionedChunks][kBlocksPerChunk][nodes][3][kLanes],
     /// Wo, m. Slots that are no hair hold zeros. Empty where the group is hidden.
     std::vector<float> positions;
-    /// 0..1: only hairs whose StrandStyle::detail is below are where they belong; 1: all.
+    /// 0..1: only hairs whose StrandStyle::detail is below it have positions of this moment; 1: all.
     float detail = 1.0F;
 
     /// Whether a slot's nodes are those of a drawn hair at this moment.
@@ -62,12 +62,12 @@ struct StrandFrame
     double stepMilliseconds = 0.0; ///< Time that the last step took, all groups.
     std::size_t hairCount = 0;
     std::size_t basisCount = 0;
-    HairLimit limit = HairLimit::None; ///< Of the first group that feels one.
+    HairLimit limit = HairLimit::None; ///< The limit of the first group that has one.
     bool asleep = false;               ///< Nothing moves: no newer frame will come until something changes.
     std::uint64_t number = 0;
-    std::uint64_t revision = 0;     ///< Of the input that the hair was made from.
+    std::uint64_t revision = 0;     ///< GroomInput::revision of the input that the hair was made from.
     bool preview = false;           ///< That input held something not committed yet.
-    std::size_t rebuiltStrands = 0; ///< Evaluated since the first frame, in all.
+    std::size_t rebuiltStrands = 0; ///< Number of strands evaluated since the first frame.
 };
 
 /// The least GroupFrame::detail; 1 where every hair is positioned.

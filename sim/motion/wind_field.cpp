@@ -18,7 +18,7 @@ constexpr auto kStep = static_cast<float>(kStepSeconds);
 constexpr float kStrongestWind = 60.0F;
 constexpr int kPuffSteps = 12;
 
-// Of the waves in time, rad/s; in space they are in solver/wind_phases.
+// Angular frequencies of the waves in time, rad/s; those in space are in solver/wind_phases.
 constexpr double kGustRate = 1.7;
 constexpr double kRateA = 6.3;
 constexpr double kRateB = 11.9;

@@ -10,8 +10,8 @@ namespace hairpaint::sim {
 /// How a texture's alpha counts.
 enum class TextureAlpha : std::uint32_t
 {
-    Opaque = 0, ///< Not at all.
-    Mask = 1,   ///< What is under a half is not there.
+    Opaque = 0, ///< Alpha is ignored.
+    Mask = 1,   ///< Where alpha is under a half nothing is drawn.
     Blend = 2   ///< Mixed with what is behind it; drawn as a mask here.
 };
 
@@ -19,7 +19,8 @@ enum class TextureAlpha : std::uint32_t
 struct MeshTexture
 {
     static constexpr std::uint32_t kLargestSide = 4096;
-    static constexpr std::size_t kMostPixels = std::size_t{1} << 24U; ///< Of all of a mesh together.
+    /// Limit on the pixels of all textures of a mesh together.
+    static constexpr std::size_t kMostPixels = std::size_t{1} << 24U;
 
     std::uint32_t width = 0, height = 0;
     std::vector<std::uint8_t> rgba;

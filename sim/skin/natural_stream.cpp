@@ -17,17 +17,17 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr float kGrownHeadM = 0.25F;  ///< From crown to chin, of the head that the lengths here are for.
-constexpr double kHeatReachM = 0.04;  ///< Root of the time after which heat is looked at (Crane et al. 2013).
-constexpr float kSwirlRad = 1.1F;     ///< At the whorl,
-constexpr float kSwirlReachM = 0.03F; ///< and gone about here.
+constexpr float kGrownHeadM = 0.25F;  ///< Length from crown to chin of the head that the lengths here are for.
+constexpr double kHeatReachM = 0.04;  ///< Square root of the time over which heat spreads (Crane et al. 2013).
+constexpr float kSwirlRad = 1.1F;     ///< Angle by which the stream turns about the whorl, at its middle.
+constexpr float kSwirlReachM = 0.03F; ///< Distance from the whorl at which that is about gone.
 constexpr int kSmoothings = 4;
-constexpr std::size_t kMostHeated = 60'000; ///< Vertices.
+constexpr std::size_t kMostHeated = 60'000; ///< Number of vertices above which a coarser mesh is heated.
 
 struct NaturalWhorl
 {
     glm::vec3 positionHd{0.0F};
-    float scale = 1.0F; ///< Of the head, against a grown one's.
+    float scale = 1.0F; ///< Size of the head over a grown one's.
 };
 
 NaturalWhorl whorlOf(const Skin& skin, const std::optional<HeadLandmarks>& landmarks)
@@ -62,7 +62,7 @@ float flatnessAt(float distanceM)
     return kRows.back().flatness;
 }
 
-/// Of the welded vertices; 0 where the whorl's heat does not come.
+/// Heat at the welded vertices after it spread from the whorl; 0 where it does not come.
 std::vector<double> heatFrom(glm::vec3 sourceHd, double reachM, const HeadMesh& mesh,
                              const std::vector<unsigned>& welded)
 {
@@ -145,8 +145,8 @@ glm::vec3 onTangentPlane(glm::vec3 v, glm::vec3 normal)
     return unitOrZero(glm::dvec3(v - normal * glm::dot(v, normal)));
 }
 
-/// Of the welded vertices, zero where the heat does not come. The finest meshes take a coarser one's, or the heat alone
-/// would take minutes.
+/// [vertices] unit direction away from the whorl, at the welded vertices; zero where the heat does not come. The finest
+/// meshes take a coarser one's, or the heat alone would take minutes.
 std::vector<glm::vec3> awayFrom(const NaturalWhorl& whorl, const HeadMesh& mesh, const std::vector<unsigned>& welded)
 {
     const double reachM = kHeatReachM * static_cast<double>(whorl.scale);

@@ -39,7 +39,7 @@ struct Derivatives
     glm::vec3 dPdu, dPdv;
 };
 
-/// Of the position by uv on one face; none where the face has no extent in uv.
+/// Derivatives of the position by uv on one face; none where the face has no extent in uv.
 std::optional<Derivatives> derivativesOf(const HeadMesh& mesh, std::uint32_t face)
 {
     const glm::uvec3 t = mesh.triangles[face];

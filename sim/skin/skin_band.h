@@ -1,4 +1,4 @@
-// What skin lies below a position close over it.
+// The point of the skin nearest to a position close to it.
 #pragma once
 
 #include "sim/skin/skin_frame.h"
@@ -23,15 +23,15 @@ public:
     /// that is out of the grid or the cell is too far from the skin.
     struct Grid
     {
-        const std::int32_t* indices = nullptr; ///< [z][y][x] of cells().
+        const std::int32_t* indices = nullptr; ///< [z][y][x] index into cells(), or kNone.
         glm::vec3 originHd{0.0F};
-        glm::vec3 size{0.0F}; ///< Of the grid, in cells.
+        glm::vec3 size{0.0F}; ///< Cells along each axis.
         float perCell = 0.0F; ///< 1/m
     };
 
     struct Cell
     {
-        glm::vec3 positionHd{0.0F}; ///< On the skin.
+        glm::vec3 positionHd{0.0F}; ///< Point of the skin nearest to the cell's middle.
         glm::vec2 uv{0.0F};
         SkinFrame frame;
     };
@@ -51,9 +51,9 @@ private:
     float m_perCell = 0.0F;
     std::size_t m_columns = 0;
     std::size_t m_rows = 0;
-    std::vector<std::int32_t> m_index; ///< [z][y][x]
+    std::vector<std::int32_t> m_index; ///< [z][y][x] index into m_cells, or kNone.
     std::vector<Cell> m_cells;
-    std::vector<std::uint32_t> m_gridIndex; ///< Of each cell, in m_index.
+    std::vector<std::uint32_t> m_gridIndex; ///< [cells] index of the cell in m_index.
 };
 
 /// The skin's band, made at the first call and kept as long as the skin lives. Any thread.

@@ -12,7 +12,7 @@
 
 namespace hairpaint::sim {
 
-/// Of one skin and one size of map. Tiles are found when they are first asked for: one thread at a time.
+/// The islands of one skin in maps of one size. Tiles are computed when they are first asked for: one thread at a time.
 class SkinIslands
 {
 public:

@@ -12,7 +12,7 @@ namespace hairpaint::sim {
 
 std::vector<unsigned> weldedVertices(const HeadMesh& mesh)
 {
-    constexpr float kTolerance = 1e-6F; // Of the mesh's size.
+    constexpr float kTolerance = 1e-6F; // Fraction of the mesh's greatest extent.
     const glm::vec3 size = boundsOf(mesh).size();
     const float cell = std::max(kTolerance * std::max({size.x, size.y, size.z}), 1e-9F);
     using Cell = std::tuple<std::int64_t, std::int64_t, std::int64_t>;

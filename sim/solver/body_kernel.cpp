@@ -13,7 +13,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
 
-constexpr std::size_t kPairs = 4; ///< Of a cell's corners beside each other along x: y fastest, then z.
+/// Pairs of a cell's corners that are beside each other along x; ordered with y fastest, then z.
+constexpr std::size_t kPairs = 4;
 
 /// The cells that nodes are in, one a lane, and where in them.
 struct CellOfNode
@@ -45,7 +46,7 @@ HWY_INLINE std::array<std::size_t, kPairs> pairOffsets(const BodyGrid& grid)
 
 struct MovingNode
 {
-    Lanes3 position; ///< In the middle of the steps that a grid is for.
+    Lanes3 position; ///< Where the node will be in the middle of the steps that a grid is used for.
     Lanes3 velocity; ///< m a step.
 };
 
@@ -160,11 +161,11 @@ void ReadBody(const BodyNodes& nodes, const BodyGrid& grid, float* out, std::siz
             }
 }
 
-/// What the grid holds at one node, and its slope, a cell.
+/// The grid's values at the nodes of kLanes strands, and their slope per cell.
 struct BodyAtNodes
 {
     HWY_ALIGN float values[kLanes * 4]; ///< Hair and its momentum.
-    HWY_ALIGN float slope[3 * kLanes];  ///< Of the hair.
+    HWY_ALIGN float slope[3 * kLanes];  ///< [3][kLanes] slope of the hair.
 };
 
 /// `t`: [3][kLanes].
@@ -194,13 +195,14 @@ HWY_INLINE void readNode(const std::int32_t* HWY_RESTRICT first, const std::arra
 }
 
 constexpr float kDenseFriction = 0.12F; ///< Fraction of the velocity against hair that is too dense that a step takes.
-constexpr float kMostFriction = 0.16F;  ///< Over the steps of a grid no more than what there is.
-constexpr float kSettlingSteps = 20.0F; ///< The contact of a strand that lay still for so long stays as it is.
-constexpr float kSlowChange = 0.015F;   ///< By so much the contact of a node at rest changes with a grid,
-constexpr float kChangePerM = 450.0F;   ///< and by so much more of one that moves, for a metre a step.
+/// Greatest friction: over the steps of a grid it takes no more than all of the velocity.
+constexpr float kMostFriction = 0.16F;
+constexpr float kSettlingSteps = 20.0F; ///< Steps without motion after which a strand's contact no longer changes.
+constexpr float kSlowChange = 0.015F;   ///< Greatest change of the contact of a node at rest, for each grid.
+constexpr float kChangePerM = 450.0F;   ///< What is added to that for each metre that the node moves in a step.
 
-/// What hair around does to a node that moved by `velocity` in the last step, at its velocity and its contact. Returns
-/// whether any is in contact with it.
+/// Applies the hair around to nodes that moved by `velocity` in the last step: changes their velocity and contact.
+/// Returns whether any is in contact with hair.
 HWY_INLINE bool meetHair(const BodyGains& gains, const BodyAtNodes& at, Lanes perRest, const Lanes3& velocity,
                          Lanes still, float* HWY_RESTRICT previous, float* HWY_RESTRICT contact)
 {
@@ -215,7 +217,7 @@ HWY_INLINE bool meetHair(const BodyGains& gains, const BodyAtNodes& at, Lanes pe
     if (any(above > 0.0F)) {
         const Lanes much = clamped(above * (1.0F / kBodyRange), 0.0F, 1.0F) * gains.contact;
         friction = least(friction + much * kDenseFriction, kMostFriction);
-        // Out of where hair is dense; not at all where it is dense all around.
+        // The direction out of dense hair; 0 where hair is equally dense all around.
         constexpr float kEven = 0.25F; // Slope of a cell, as a fraction of what it holds, that tells a direction.
         const Lanes3 slope{loaded(at.slope), loaded(at.slope + kLanes), loaded(at.slope + 2 * kLanes)};
         const Lanes even = hair * kEven;

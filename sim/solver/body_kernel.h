@@ -16,9 +16,9 @@ struct BodyGrid
     std::array<float, 3> origin{};
     std::array<float, 3> last{};   ///< Positions in cells are kept within 0..last.
     float inverseCell = 1.0F;      ///< 1/m
-    std::int32_t row = 0;          ///< From one y to the next, in cells,
-    std::int32_t slice = 0;        ///< and from one z to the next.
-    std::int32_t* cells = nullptr; ///< [z][y][x][4]: hair, and hair times velocity by kBodyFastestM.
+    std::int32_t row = 0;          ///< Cells from one y to the next.
+    std::int32_t slice = 0;        ///< Cells from one z to the next.
+    std::int32_t* cells = nullptr; ///< [z][y][x][4]: hair, and hair times velocity / kBodyFastestM.
 };
 
 /// Nodes of a group's basis hairs. `positions`, `previous`: [blocks][nodes][3][kLanes], Hd, m.
@@ -63,8 +63,8 @@ struct BodyPush
 {
     BodyGains gains;
     const float* perRest = nullptr; ///< [blocks][nodes][kLanes]: 1/density at rest, m2.
-    float densityPerUnit = 0.0F;    ///< Of the grid: length of hair in a volume, 1/m2.
-    const float* still = nullptr;   ///< kStill of the first block, and by so many floats on that of the next.
+    float densityPerUnit = 0.0F;    ///< Length of hair per volume that a unit of the grid stands for, 1/m2.
+    const float* still = nullptr;   ///< Row kStill of the first block; each next block's is `stillStride` floats on.
     std::size_t stillStride = 0;
     float* previous = nullptr; ///< As in BodyNodes: friction changes the velocity of strands that are not asleep.
     float* contact = nullptr;  ///< [blocks][nodes][3][kLanes]: the direction out of hair that is too dense, as long as

@@ -17,12 +17,12 @@ inline constexpr int kMaxColliders = 64;
 struct Collider
 {
     std::array<float, 3> centre{};
-    std::array<float, 3> squares{}; ///< The form's factors of x2, y2, z2,
-    std::array<float, 3> mixed{};   ///< and of xy, xz, yz. 1/m2
+    std::array<float, 3> squares{}; ///< The form's factors of x2, y2, z2, 1/m2,
+    std::array<float, 3> mixed{};   ///< and of xy, xz, yz, 1/m2.
     float meanAxisM = 1.0F;
     friend bool operator==(const Collider&, const Collider&) = default;
 
-    /// Its axes are x, y and z.
+    /// Whether its axes are x, y and z.
     [[nodiscard]] bool aligned() const { return mixed == std::array<float, 3>{}; }
     /// The form's value: of the ellipsoid scaled by s it is s2.
     [[nodiscard]] float radius2(glm::vec3 pHd) const;
@@ -37,10 +37,11 @@ struct SkinField
     std::array<float, 3> origin{};
     std::array<float, 3> last{}; ///< Coordinates in cells lie in 0..last, the end excluded.
     float inverseCell = 1.0F;    ///< 1/m
-    std::int32_t row = 0;        ///< From one y to the next.
-    std::int32_t slice = 0;      ///< From one z to the next.
+    std::int32_t row = 0;        ///< Pairs from one y to the next.
+    std::int32_t slice = 0;      ///< Pairs from one z to the next.
     float unitsACell = 1.0F;     ///< A cell's side, in units of the values.
-    float unitsADiagonal = 1.0F; ///< Of a cell: nowhere in it are values further from those at its corners.
+    /// A cell's diagonal in those units: no value in a cell differs by more from one at its corners.
+    float unitsADiagonal = 1.0F;
 };
 
 inline constexpr float kSkinClearanceM = 0.0003F; ///< Straight hair stays that far from the skin.
@@ -62,7 +63,8 @@ struct ColliderSet
 /// grown by `growthM`, the strand's height in the coat, as far as the second node lies outside.
 [[nodiscard]] float strandScale(const Collider& collider, std::span<const glm::vec3> restHd, float growthM);
 
-/// Where on a segment, from its parent, strands are kept out of the skin; of the first one only at its end.
+/// Fractions of a segment, from its parent node, at which strands are kept out of the skin; the first segment only at
+/// its end.
 inline constexpr std::array kSegmentParts{1.0F, 0.75F, 0.5F};
 
 /// How far from the skin a strand stays that would be kept `wishedM` away: not so far that its shape at rest (root

@@ -20,22 +20,22 @@ enum LaneField : std::uint8_t
     kInverseSquare, ///< 1/length^2
     kBend,          ///< Stiffness against bending of a step, see bendingGain().
     kHold,          ///< Strength of the spring to the rest shape of a step, see holdGain().
-    kLoft,          ///< Strength of that spring at the root, falling off over kLoftM, of what keeps a coat's height.
+    kLoft,          ///< Strength of the spring that keeps a coat's height, at the root; it falls off over kLoftM.
     kHoldKeep,      ///< Fraction of the motion against the head that the held shape leaves, 0..1.
     kLieX,          ///< Unit vector in which the strand leaves the skin.
     kLieY,
     kLieZ,
-    kPhaseGust, ///< Of the wind's waves at this root, rad, 0..2 pi.
+    kPhaseGust, ///< Phases of the wind's three waves at this root, rad, 0..2 pi.
     kPhaseA,
     kPhaseB,
     kExposure,     ///< Fraction of the wind's strength.
-    kGirth,        ///< How far it is kept from the skin, m: half the thickness of the braid about it, or what the
-                   ///< hair beneath takes up; 0: a hair.
+    kGirth,        ///< Distance at which it is kept from the skin, m: half the thickness of the braid about it,
+                   ///< or what the hair beneath takes up; 0 for a single hair.
     kRecoil,       ///< 0..1: see recoil(); 0 without body.
     kGive,         ///< Fraction of its length by which the strand stretches and shortens; 0: not at all.
     kStretch,      ///< Fraction by which it is longer now, -kGive..kGive,
     kStretchSpeed, ///< and by how much more a second.
-    kLoad,         ///< What it bore of late, in its own weights; kUnwanted: it has just come.
+    kLoad,         ///< Recent load in units of its own weight; kUnwanted where the strand is new.
     kStill,        ///< Steps without motion; kUnwanted where no hair is solved.
     kMiddleX,      ///< Where the middle node was when the hair last moved, Hd, m;
     kMiddleY,
@@ -48,8 +48,9 @@ enum LaneField : std::uint8_t
 
 /// A braid reaches its girth over half a turn from its root: by this fraction of the length along it.
 inline constexpr float kGirthSlope = 0.4F;
-inline constexpr float kLoftM = 0.12F; ///< Along a hair: over so much of it the coat carries itself,
-/// against so much, m a step: three tenths of its weight, as much as presses on a lying coat; wind has more.
+inline constexpr float kLoftM = 0.12F; ///< Length from the root along which the coat carries itself.
+/// The most that it carries, as a displacement in a step, m: three tenths of its weight, as much as presses on a lying
+/// coat; wind exceeds it.
 inline constexpr float kLoftYieldM = 0.3F * kGravity * static_cast<float>(kStepSeconds * kStepSeconds);
 inline constexpr float kUnwanted = 1e30F;
 inline constexpr float kStillSteps = 60.0F; ///< A strand that lay still for so long falls asleep.
@@ -75,12 +76,13 @@ struct PuffForces
 /// How far the head is turned on its neck: skin below it lies elsewhere than in the head's own frame.
 struct NeckTurn
 {
-    bool turned = false; ///< Else the rest means nothing.
+    bool turned = false; ///< If false the other members are not read.
     std::array<float, 3> pivot{};
-    std::array<float, 4> turn{0.0F, 0.0F, 0.0F, 1.0F}; ///< x, y, z, w >= 0: from the head's frame to the shoulders'.
-    float headY = 0.0F;                                ///< From here down the neck twists,
-    float perTwistM = 0.0F;                            ///< by so much of it a metre, up to
-    float shouldersY = 0.0F;                           ///< here.
+    /// Quaternion x, y, z, w >= 0: from the head's frame to the shoulders'.
+    std::array<float, 4> turn{0.0F, 0.0F, 0.0F, 1.0F};
+    float headY = 0.0F;      ///< Height from which down the neck twists, m;
+    float perTwistM = 0.0F;  ///< fraction of the twist a metre;
+    float shouldersY = 0.0F; ///< height at which it is complete, m.
 };
 
 /// What acts on every strand in one step. Hd, metres a step.
@@ -91,10 +93,10 @@ struct StepForces
     std::array<float, 3> gravity{};
     bool windy = false; ///< Any wind or puff: nothing sleeps.
     std::array<float, 3> wind{};
-    float gust = 0.0F;             ///< Fraction that comes and goes, otherwise from point to point, 0..1.
+    float gust = 0.0F; ///< 0..1: fraction of the wind that comes and goes, at different times at different points.
     std::array<float, 3> swirlA{}; ///< Amplitudes of the two waves of turbulence.
     std::array<float, 3> swirlB{};
-    float phaseGust = 0.0F; ///< Of the waves in time, rad, 0..2 pi.
+    float phaseGust = 0.0F; ///< Phases of the three waves at this moment, rad, 0..2 pi.
     float phaseA = 0.0F;
     float phaseB = 0.0F;
     int puffCount = 0;

@@ -15,9 +15,9 @@ namespace {
 
 constexpr auto kStep = static_cast<float>(kStepSeconds);
 constexpr float kWindRate = 1.0F; ///< 1/s: how fast a lock takes over the air's motion across it.
-/// From here on the shape is held rather than leant to, and its other nodes may lie on the ellipsoids.
+/// holdGain() above which all nodes of a rest shape must be outside the ellipsoids, not only the first two.
 constexpr float kHeldShape = 0.02F;
-constexpr float kRootDamping = 0.3F; ///< Of a step: what the hair around it takes from a hair's motion at its root.
+constexpr float kRootDamping = 0.3F; ///< Fraction of a hair's motion at its root that the hair around takes in a step.
 
 /// A gain of a step of 1/60 s, for kStepSeconds: half as long, so 1 - sqrt(1 - k).
 float rescaled(float gain)
@@ -78,7 +78,7 @@ float strandHash(const Groom& groom, std::size_t basisIndex)
 
 float bendingGain(float stiffnessM, float segmentM)
 {
-    constexpr float kStiffest = 1e7F; // A matrix of floats holds no more, and nothing bends long before.
+    constexpr float kStiffest = 1e7F; // Floats in the bending matrix allow no more; hair is rigid long before.
     if (!(segmentM > 0.0F))
         return 0.0F;
     const float segment2 = segmentM * segmentM;
@@ -88,10 +88,10 @@ float bendingGain(float stiffnessM, float segmentM)
 
 float holdGain(float gel)
 {
-    // 0.3 sags under gravity by 2.5 cm, and each tenth more by half of the tenth before.
+    // Hair with gel of 0.3 sags under gravity by 2.5 cm, and with each tenth more by half as much.
     constexpr float kSagM = 0.025F;
     constexpr float kLn2 = 0.6931472F;
-    // All of it holds whatever comes.
+    // Gel of 1 holds against any force.
     const float amount = std::clamp(gel, 0.0F, 1.0F);
     const float amount2 = amount * amount;
     const float amount4 = amount2 * amount2;
@@ -101,7 +101,7 @@ float holdGain(float gel)
 
 float loftGain(float loft)
 {
-    constexpr float kSagM = 0.0008F; ///< Of all of it, at the root.
+    constexpr float kSagM = 0.0008F; ///< Displacement by gravity at the root with a loft of 1.
     return loft > 0.0F ? kGravity * kStep * kStep / kSagM * std::min(loft, 1.0F) : 0.0F;
 }
 
@@ -129,7 +129,7 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
     state.field(basisIndex, kInverseSquare) = segment > 0.0F ? 1.0F / (segment * segment) : 0.0F;
     state.field(basisIndex, kBend) = bendingGain(physics.stiffnessM, segment);
     state.field(basisIndex, kHold) = hold;
-    // A braid is no coat: its weight hangs where it likes.
+    // A braid is no coat: its weight is not carried.
     const bool isBraided = basis[BasisQuantity::Girth][basisIndex] > 0.0F;
     state.field(basisIndex, kLoft) = isBraided ? 0.0F : loftGain(physics.loft);
     state.field(basisIndex, kHoldKeep) = damped(hold / (1.0F + hold));

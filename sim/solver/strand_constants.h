@@ -22,7 +22,7 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
 /// How strongly gel of 0..1 pulls every node to its position in the rest shape, in units of a step: displacements are
 /// divided by 1 + this.
 [[nodiscard]] float holdGain(float gel);
-/// Of PhysicsSettings::loft, at the root of a hair; see kLoft.
+/// Strength at the root of the spring that PhysicsSettings::loft of 0..1 asks for, in units of a step; see kLoft.
 [[nodiscard]] float loftGain(float loft);
 
 /// Thickness that a strand's height in the coat adds to the ellipsoids under it; never more than half a segment.

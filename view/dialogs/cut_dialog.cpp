@@ -22,11 +22,12 @@ namespace {
 
 constexpr double kCmPerM = 100.0;
 constexpr double kPercent = 100.0;
-constexpr float kJaw = 0.55F; ///< Of the height from the ears' openings down to the chin: the corner of the jaw.
+/// Corner of the jaw, as a fraction of the height from the ears' openings down to the chin.
+constexpr float kJaw = 0.55F;
 constexpr double kAboveChinCm = 30.0;
 constexpr double kFadeTopCm = 5.0;
 constexpr double kFadeEndsPercent =
-    75.0; ///< Of the way from the crown down to the nape: below the openings of the ears.
+    75.0; ///< Part of the way from the crown down to the nape: below the openings of the ears.
 
 struct CutText
 {

@@ -24,7 +24,7 @@ enum class HairCut : std::uint8_t
     Fade
 };
 
-/// Of the active group, inside the selection. What is set is shown on the hair at once; accepting it is one undo step,
+/// Cuts the active group inside the selection. What is set is shown on the hair at once; accepting it is one undo step,
 /// closing it none.
 class CutDialog : public QDialog
 {

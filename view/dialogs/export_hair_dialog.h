@@ -64,7 +64,7 @@ public:
 
 Q_SIGNALS:
     void exportWanted();
-    void previewWanted(); ///< Of the cards, in the 3D area.
+    void previewWanted(); ///< The cards are to be shown in the 3D area.
 
 private:
     [[nodiscard]] QFormLayout* buildForm();
@@ -76,9 +76,9 @@ private:
     void follow();
 
     std::vector<ExportableGroup> m_groups;
-    std::vector<QCheckBox*> m_boxes; ///< As many; seen where there are several.
+    std::vector<QCheckBox*> m_boxes; ///< [groups]; visible where there are several.
     QSet<int> m_leftOut;             ///< Ids of groups that are not exported.
-    QScrollArea* m_list = nullptr;   ///< Of the boxes.
+    QScrollArea* m_list = nullptr;   ///< The list of the boxes.
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;
     QComboBox* m_target = nullptr;
@@ -88,7 +88,7 @@ private:
     QString m_avatarProblem;
     QLabel* m_use = nullptr;
     QDialogButtonBox* m_buttons = nullptr;
-    QPushButton* m_preview = nullptr; ///< Of cards.
+    QPushButton* m_preview = nullptr; ///< Asks for a preview of the cards.
 };
 
 } // namespace hairpaint::view

@@ -16,7 +16,7 @@ namespace hairpaint::view {
 enum class MapRange : std::uint8_t
 {
     Active,
-    Group, ///< All of the active group's.
+    Group, ///< All maps of the active group.
     All
 };
 
@@ -29,9 +29,9 @@ struct MapsExportChoice
 /// What there is to choose from.
 struct MapsToExport
 {
-    QString map;          ///< What the active one is called,
-    QString group;        ///< and the active group.
-    model::UvTiles tiles; ///< Of the head.
+    QString map;          ///< Name of the active map.
+    QString group;        ///< Name of the active group.
+    model::UvTiles tiles; ///< Tiles of the head's uv layout.
 };
 
 /// Modal. Nothing is written by it: when accepted, ask for choice().

@@ -24,14 +24,14 @@ public:
     void setSide(rendering::StandardView side); ///< Front, back, left, right or top.
     void setLandmarks(const sim::HeadLandmarks& landmarks);
     [[nodiscard]] const sim::HeadLandmarks& landmarks() const { return m_landmarks; }
-    /// In this widget's coordinates; none where the head hides it.
+    /// Position of a landmark in this widget; none where the head hides it.
     [[nodiscard]] std::optional<QPointF> positionOf(sim::HeadLandmark landmark) const;
 
     [[nodiscard]] QSize sizeHint() const override { return {320, 380}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 280}; }
 
 Q_SIGNALS:
-    void landmarkMoved(); ///< By the user, at every step.
+    void landmarkMoved(); ///< The user moved one; sent at every step of the drag.
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -46,7 +46,7 @@ private:
 
     std::shared_ptr<const model::Head> m_head;
     sim::HeadLandmarks m_landmarks;
-    glm::vec3 m_middleHd{0.0F}; ///< Of the landmarks at first, so that the picture rests while they move.
+    glm::vec3 m_middleHd{0.0F}; ///< Middle of the landmarks at first, so that the picture rests while they move.
     float m_reachM = 0.1F;
     rendering::StandardView m_side = rendering::StandardView::Front;
     QImage m_picture;

@@ -21,7 +21,7 @@ public:
     explicit LightDialog(EditorState& state, QWidget* parent = nullptr);
 
 private:
-    /// Of 0..`greatest`, shown in per cent.
+    /// Adds a slider for a field of 0..`greatest`, shown in per cent.
     BarSlider* addFraction(const QString& label, float model::LightSettings::*field, double greatest = 1.0);
     QComboBox* addChoice(const QString& name, std::span<const model::NamedValue> values,
                          const std::function<void(model::LightSettings&, int)>& set);

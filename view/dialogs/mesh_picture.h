@@ -16,7 +16,7 @@ struct MeshFraming
     glm::mat3 axes{1.0F}; ///< Columns: the directions to the picture's right, up, and toward the eye; orthonormal.
     glm::vec3 middle{0.0F};
     glm::vec2 middlePx{0.0F};
-    float pixelsPerUnit = 1.0F; ///< Of the mesh's units.
+    float pixelsPerUnit = 1.0F; ///< Pixels that a unit of the mesh covers.
 
     /// The box around all of the mesh fills 88 % of the picture.
     [[nodiscard]] static MeshFraming around(const sim::HeadMesh& mesh, const glm::mat3& axes, QSize pixels);

@@ -21,7 +21,7 @@ glm::mat3 frontAxes(model::UpAxis axis)
                                     : glm::mat3({1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}, {0.0F, -1.0F, 0.0F});
 }
 
-/// Of a person of 1.75 m from the front; metres, the crown at the origin, y down.
+/// The figure of a person of 1.75 m from the front; metres, the crown at the origin, y down.
 QPainterPath personFigure()
 {
     QPainterPath person;
@@ -40,7 +40,7 @@ QPainterPath personFigure()
     return person;
 }
 
-/// Of the width, for the mesh.
+/// Fraction of the widget's width that the mesh has.
 constexpr double kMeshPart = 0.6;
 
 } // namespace

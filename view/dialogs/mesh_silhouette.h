@@ -27,12 +27,12 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    /// `top`, px: of the head, in the middle.
+    /// `top`: the middle of the person's crown, px.
     void paintPerson(QPainter& painter, QPointF top, double pixelsPerMetre) const;
 
     const sim::HeadMesh& m_mesh;
     QImage m_picture;
-    double m_pixelsPerUnit = 1.0; ///< Of the picture, in points of the widget.
+    double m_pixelsPerUnit = 1.0; ///< Scale of the picture, in points of the widget.
     double m_meshTop = 0.0;       ///< The mesh's upper end in it.
     double m_metresPerUnit = 0.0;
     model::UpAxis m_axis = model::UpAxis::Y;

@@ -9,7 +9,7 @@ namespace hairpaint::view {
 
 class BarSlider;
 
-/// Of the active group. What is set is shown on the hair at once; accepting it is one undo step, closing it none.
+/// Changes the active group. What is set is shown on the hair at once; accepting it is one undo step, closing it none.
 class ScaleHairDialog : public QDialog
 {
     Q_OBJECT

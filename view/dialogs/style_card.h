@@ -26,13 +26,13 @@ public:
     StyleCard(const QString& name, bool isForeignHead, QWidget* parent);
 
     void setPicture(std::size_t index, const QImage& picture);
-    /// What it is called, and what it is.
+    /// Pairs of a fact's name and its text.
     void addFacts(const std::vector<std::pair<QString, QString>>& facts);
-    void tellProblem(const QString& problem); ///< Instead of what has not come.
+    void tellProblem(const QString& problem); ///< Shown instead of the pictures and facts that have not come.
 
 Q_SIGNALS:
     void putOnWanted();
-    void landmarksWanted(); ///< Of the head that is open, which is not one of the program's.
+    void landmarksWanted(); ///< The landmarks of the open head, which is not one of the program's, are to be set.
 
 private:
     std::array<QLabel*, kPictures> m_pictures{};

@@ -21,7 +21,8 @@ bool BrushDrag::press(const PointerSample& sample, const HeldKeys& keys)
 
 void BrushDrag::move(const PointerSample& sample)
 {
-    constexpr float kSizePerPx = 0.008F; // Of the logarithm: each pixel changes the size by as large a part.
+    // Change of the size's logarithm: each pixel changes the size by the same factor.
+    constexpr float kSizePerPx = 0.008F;
     constexpr float kPerPx = 0.004F;
     const auto right = static_cast<float>(sample.position.x() - m_pressed.x());
     const auto down = static_cast<float>(sample.position.y() - m_pressed.y());

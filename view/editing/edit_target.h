@@ -25,7 +25,7 @@ public:
     bool setMap(model::MapKind map);
     /// The layer that tools paint on in the active map; kept per group and map; 0 where the map has none.
     [[nodiscard]] model::Id layer() const { return layer(m_map); }
-    [[nodiscard]] model::Id layer(model::MapKind map) const; ///< The same of any map.
+    [[nodiscard]] model::Id layer(model::MapKind map) const; ///< The layer that tools paint on in any map.
     bool setLayer(model::Id layer);
     [[nodiscard]] model::LayerAddress address() const;
     /// The active group's settings; those of a new group where there is none.
@@ -36,7 +36,7 @@ public:
     /// Why nothing can be painted on the active map, or on that one; empty where it can be.
     [[nodiscard]] QString refusal() const;
     [[nodiscard]] QString refusal(model::MapKind map) const;
-    /// The same of a map that is not the active one, with its name before it.
+    /// refusal() for a map that is not the active one, with the map's name before it.
     [[nodiscard]] QString refusalOfOther(model::MapKind map) const;
 
     /// While held it does not follow changed texels, since a tool paints where the user looks. Returns the previous
@@ -44,7 +44,7 @@ public:
     bool hold(bool held);
 
 Q_SIGNALS:
-    void aboutToChange(); ///< By a setter: what is open on the old target ends.
+    void aboutToChange(); ///< A setter is about to change it: edits that are open on the old target end.
     void mapChosen();     ///< By setMap, also where that map was active before.
     /// The ranges of the active group may have changed; `told`: by a change to the group of which the user is told.
     void rangesChanged(bool told);
@@ -52,7 +52,8 @@ Q_SIGNALS:
 
 private:
     void onDocumentChanged(const model::Change& change);
-    /// Of a step that was undone or redone the map that is shown, where it changed, else the last that did.
+    /// Activates the map that an undone or redone step changed last, unless the shown one is among those that it
+    /// changed.
     void followStep();
 
     model::Document& m_document;

@@ -11,10 +11,10 @@ namespace hairpaint::view {
 namespace {
 
 constexpr int kFallMs = 500;
-constexpr float kFallM = 0.25F;   ///< Of the middle piece;
-constexpr float kDiffers = 0.4F;  ///< others fall further or less by that fraction,
-constexpr float kDriftM = 0.02F;  ///< and aside.
-constexpr float kOpacity = 0.85F; ///< As it begins.
+constexpr float kFallM = 0.25F;   ///< Length by which a mean piece falls.
+constexpr float kDiffers = 0.4F;  ///< Greatest fraction by which pieces fall further or less.
+constexpr float kDriftM = 0.02F;  ///< Greatest drift of a piece aside.
+constexpr float kOpacity = 0.85F; ///< Opacity at the begin of the fall.
 
 } // namespace
 

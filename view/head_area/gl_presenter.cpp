@@ -19,7 +19,7 @@ namespace hairpaint::view {
 
 namespace {
 
-constexpr double kStepMs = 8.0; ///< This is the GUI thread: input waits for no more of a fine picture.
+constexpr double kStepMs = 8.0; ///< Time of a step of a fine picture in the GUI thread, for which input waits.
 
 } // namespace
 
@@ -147,7 +147,7 @@ private:
         return m_lost;
     }
 
-    /// As coarse as while something moves, also where the shot is still: it is refined from there.
+    /// Draws as coarsely as while something moves, also where the shot is still: that is refined afterwards.
     void drawAtOnce(QSize size)
     {
         dropFinePicture();
@@ -161,7 +161,7 @@ private:
         m_governor.observe(m_renderer->statistics(), m_shot->allHairs);
         if (m_shot->still)
             m_steps.start(0, this);
-        // Nobody is told while Qt paints.
+        // Signals are sent later: Qt is painting now.
         QMetaObject::invokeMethod(
             this,
             [this, refines = m_shot->still, statistics = m_renderer->statistics()] {
@@ -171,7 +171,7 @@ private:
             Qt::QueuedConnection);
     }
 
-    /// A step of a finer picture; whether that is finished.
+    /// Draws a step of a finer picture; returns whether that is finished.
     bool refine()
     {
         try {
@@ -213,9 +213,9 @@ private:
     rendering::DetailGovernor m_governor;
     std::optional<Shot> m_shot;
     bool m_outdated = true; ///< The renderer's last picture is not of this shot.
-    QSize m_size;           ///< Of the renderer's last picture, in pixels.
+    QSize m_size;           ///< Size of the renderer's last picture, in pixels.
     QBasicTimer m_steps;    ///< Runs while a finer picture is drawn; other events come between its turns.
-    bool m_lost = false;    ///< The context is of no use any more.
+    bool m_lost = false;    ///< The driver was reset: nothing is drawn with the context any more.
     bool m_begun = false;   ///< Whether the renderer has begun a finer picture.
     std::vector<std::uint8_t> m_pixels;
 };

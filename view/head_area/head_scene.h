@@ -39,7 +39,7 @@ public:
     void setCamera(const rendering::Camera& camera) { m_scene.camera = camera; }
     /// Cameras that show the head with all of its hair; none without a head.
     [[nodiscard]] std::optional<rendering::Camera> cameraFor(rendering::StandardView view) const;
-    [[nodiscard]] std::optional<rendering::Camera> fittingCamera() const; ///< From where the camera looks now.
+    [[nodiscard]] std::optional<rendering::Camera> fittingCamera() const; ///< Looks from where the camera looks now.
     /// A camera that sees where the brush was last, in whichever area; none before the brush was anywhere.
     [[nodiscard]] std::optional<rendering::Camera> cameraAtBrush() const;
 
@@ -49,12 +49,12 @@ public:
     /// The document's head; null without one.
     [[nodiscard]] const sim::Skin* skin() const;
     [[nodiscard]] bool hasHead() const { return m_scene.head != nullptr; }
-    bool refreshHead(); ///< Whether another head is shown now; it is bald then.
+    bool refreshHead(); ///< Returns whether another head is shown now; it is bald then.
 
     /// Whether that hair has its roots on the document's head.
     [[nodiscard]] bool isOnHead(const sim::StrandFrame& hair) const;
     void setHair(std::shared_ptr<const sim::StrandFrame> hair) { m_scene.hair = std::move(hair); }
-    /// Instead of the hair; null: the hair again.
+    /// Shows cards instead of the hair; null: the hair again.
     void setCards(std::shared_ptr<const rendering::CardSet> cards) { m_scene.cards = std::move(cards); }
     /// Where the head stands in the frame that is shown.
     [[nodiscard]] sim::HeadPose shownPose() const;
@@ -62,15 +62,15 @@ public:
     /// Skin, worn things and background of the project, under a light that may be turning into another.
     void setEnvironment(const model::Project& project, const model::LightSettings& light);
 
-    bool refreshRings(); ///< Whether a ring was shown or is now.
+    bool refreshRings(); ///< Returns whether a ring was shown or is now.
     /// The ring of a brush in the paint area, in px, where the head hides it; empty where it does not.
     [[nodiscard]] QPolygonF hiddenRing() const;
 
-    /// Of what is worn and drawn, in that order.
+    /// The solids of what is worn and drawn, in the project's order; the head's own parts follow.
     [[nodiscard]] const std::vector<rendering::Solid>& solids() const { return m_scene.solids; }
     /// The skin that a position of the area shows, hair ignored; none where the ray misses the head.
     [[nodiscard]] std::optional<sim::SurfacePoint> skinAt(QPointF position) const;
-    /// How large a pixel of the area is on the skin there; not all of it where that is seen from the side.
+    /// Size of a pixel of the area on the skin there, m; limited where the skin is seen from the side.
     [[nodiscard]] float pixelAt(const sim::SurfacePoint& point) const;
     /// The active group's hair that a position of the area shows; none where none is near.
     [[nodiscard]] std::optional<model::GrabbedHair> hairAt(QPointF position) const;
@@ -96,8 +96,8 @@ private:
     const HeadTurn& m_turn;
     const QWidget& m_area;
     rendering::Scene m_scene;
-    std::optional<sim::SurfacePoint> m_brush;  ///< Where it was last.
-    std::weak_ptr<const sim::Skin> m_solidsOn; ///< What the solids were made for.
+    std::optional<sim::SurfacePoint> m_brush;  ///< Where the brush was last.
+    std::weak_ptr<const sim::Skin> m_solidsOn; ///< The skin that the solids were made for.
     StrandPick m_seen;
 };
 

@@ -13,16 +13,16 @@
 
 namespace hairpaint::view {
 
-/// Nobody's turning stays: what is let go comes back in about half a second, so that the hair swings. GUI thread.
+/// No turn stays: a head that is let go comes back in about half a second, so that the hair swings. GUI thread.
 class HeadTurn : public QObject
 {
     Q_OBJECT
 public:
     explicit HeadTurn(QObject* parent = nullptr);
 
-    /// The one asked for last; the simulation follows.
+    /// The pose asked for last; the simulation follows.
     [[nodiscard]] const sim::HeadPose& pose() const { return m_pose; }
-    void setNeck(const sim::Neck& neck); ///< Of another head, or of one whose landmarks were moved.
+    void setNeck(const sim::Neck& neck); ///< For another head, or one whose landmarks were moved.
 
     void press(); ///< A drag begins; ends whatever motion there is.
     /// `pixels` since the drag's start.
@@ -31,10 +31,10 @@ public:
     /// Goes through a motion once, from however the head is turned now; nothing while it is held by a drag.
     void play(sim::NeckMotion motion);
     void turnBack(); ///< Ends a motion: the head comes back from where it is; nothing while it is held by a drag.
-    void setPaused(bool paused); ///< As the hair is: a motion and the return wait.
+    void setPaused(bool paused); ///< While paused, as the hair is, a motion and the return wait.
     /// The motion or the return goes on by so much time, as it does by itself in real time; nothing while it waits.
     void advance(double passedSeconds);
-    /// Not while they wait.
+    /// Whether a motion or the return goes on; false while they wait.
     [[nodiscard]] bool moving() const { return m_tick.isActive(); }
 
 Q_SIGNALS:

@@ -47,7 +47,7 @@ HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choic
 HeadView::~HeadView()
 {
     m_state.tools().setSeen(nullptr);
-    // What they report to is there until they end.
+    // The frames report to members that must outlive them.
     m_frames.reset();
 }
 
@@ -97,7 +97,7 @@ void HeadView::setTheme(const Theme& theme)
 void HeadView::setFrame(std::shared_ptr<const sim::StrandFrame> frame)
 {
     if (frame && (frame->revision < m_firstRevision || !m_scene->isOnHead(*frame)))
-        return; // Of the project, or the head, before this one.
+        return; // It belongs to the project or the head before this one.
     m_frames->setHair(std::move(frame));
 }
 
@@ -303,7 +303,7 @@ void HeadView::setLookedAt(std::optional<model::MapKind> map)
 
 void HeadView::refreshSigns()
 {
-    // While something moves the last picture's word no longer holds.
+    // While something moves, whether the last picture was being refined no longer counts.
     const std::shared_ptr<const rendering::CardSet>& cards = m_scene->scene().cards;
     m_cover->showSigns(m_paused, m_frames->refining() && m_frames->still(), cards ? cards->triangles.size() : 0);
 }

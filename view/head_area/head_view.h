@@ -39,10 +39,10 @@ public:
     ~HeadView() override;
 
     void setTheme(const Theme& theme);
-    /// Hair of a project that is open no more is not shown.
+    /// Hair of a project that was closed is not shown.
     void setFrame(std::shared_ptr<const sim::StrandFrame> frame);
 
-    /// Instead of the hair, until that becomes another; null: the hair again.
+    /// Shows cards instead of the hair, until the hair changes; null: the hair again.
     void showCards(std::shared_ptr<const rendering::CardSet> cards);
     [[nodiscard]] bool cardsShown() const;
 
@@ -66,20 +66,20 @@ public:
     /// Whether a still picture is being made finer just now.
     [[nodiscard]] bool refining() const;
 
-    /// The hair shows that map's colours at present; none: its own. Of the direction map the directions are shown, too.
+    /// The hair shows that map's colours at present; none: its own. With the direction map directions are drawn, too.
     void setLookedAt(std::optional<model::MapKind> map);
 
     [[nodiscard]] QSize sizeHint() const override;
 
 public Q_SLOTS:
     void resetCamera(); ///< Also ends a motion of the head.
-    void fit();         ///< The head with all of its hair, from where the camera looks now.
+    void fit();         ///< Shows the head with all of its hair, from where the camera looks now.
     /// The head goes through it once, so that the hair swings; not while it is dragged. Outside undo.
     void moveHead(hairpaint::sim::NeckMotion motion);
-    void turnToBrush(); ///< So that the skin shows where the brush was last, in whichever area.
-    void addWorn(hairpaint::model::WornKind kind); ///< Where the brush was last; it is chosen.
-    void addTwinTails();                           ///< There and on the other side.
-    void removeWorn();                             ///< The chosen one.
+    void turnToBrush(); ///< Turns the camera to the skin where the brush was last, in whichever area.
+    void addWorn(hairpaint::model::WornKind kind); ///< Adds it where the brush was last, and chooses it.
+    void addTwinTails();                           ///< Adds ties there and on the other side.
+    void removeWorn();                             ///< Removes the chosen one.
     void setHairPaused(bool paused);               ///< Says so over the picture.
     void setWeatherShown(bool shown);              ///< F7: the paper's keys for wind and light.
 
@@ -89,11 +89,11 @@ Q_SIGNALS:
     /// `done`: false while it is being changed (a preview), true for the last one (one undo step).
     void lightWanted(const hairpaint::model::LightSettings& light, bool done);
     void windWanted(const hairpaint::sim::Wind& wind, bool done);
-    void ownHairShown(); ///< Of a project that was opened: it is on the screen now, instead of what was there before.
+    void ownHairShown(); ///< The hair of a project that was opened is on the screen now.
     void frameDrawn(const hairpaint::rendering::FrameStatistics& statistics);
     void glUnavailable(const QString& reason); ///< The graphics card can't draw; our own renderer goes on.
     void statusText(const QString& text);
-    void viewTurned(); ///< By a drag.
+    void viewTurned(); ///< A drag turned the view.
     void contextMenuWanted(const QPoint& globalPosition);
     void weatherShownChanged(bool shown);
     void cardsShownChanged(bool shown);
@@ -130,7 +130,7 @@ private:
     std::unique_ptr<HeadCover> m_cover;
     std::unique_ptr<HeadFrames> m_frames;
     CameraFlight m_flight;
-    std::uint64_t m_firstRevision = 0; ///< Of the project that is open.
+    std::uint64_t m_firstRevision = 0; ///< First revision of the document that belongs to the open project.
     bool m_ownHairAwaited = false;     ///< The opened project's hair has not been on the screen yet.
     bool m_paused = false;
 };

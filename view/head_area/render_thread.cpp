@@ -16,7 +16,8 @@ namespace hairpaint::view {
 
 namespace {
 
-constexpr double kWantedMs = 29.0; ///< Of a moving frame: thirty a second, when the hair's motion has its time, too.
+/// Time of a moving frame: thirty a second, when the hair's motion has its time, too.
+constexpr double kWantedMs = 29.0;
 
 struct Job
 {
@@ -31,7 +32,7 @@ struct Grab
     std::promise<QImage> image;
 };
 
-/// What was asked for since the thread last looked.
+/// Requests since the thread last looked.
 struct Requests
 {
     std::optional<Job> job;
@@ -41,8 +42,8 @@ struct Requests
 
 } // namespace
 
-/// Both threads know of it; what is private belongs to the one that draws. Its thread waits in a mailbox, not in an
-/// event loop of Qt's: the thread sanitizer sees the one, not the other.
+/// Both threads use it; private members belong to the drawing thread, which waits in a mailbox instead of an event loop
+/// of Qt: the thread sanitizer sees through the first only.
 class RenderThread::Worker : public QThread
 {
 public:
@@ -87,7 +88,7 @@ private:
     void drawLast()
     {
         const Shot& shot = m_last->shot;
-        // A fine picture may take seconds: whatever comes meanwhile goes first.
+        // A fine picture may take seconds: requests that come meanwhile stop it.
         rendering::Backend::Progress goesOn;
         if (shot.still)
             goesOn = [this](double fraction) {
@@ -97,7 +98,7 @@ private:
         try {
             if (!m_renderer->drawPatiently(shot.scene, m_governor.begin(shot.still), m_last->size.width(),
                                            m_last->size.height(), goesOn)) {
-                m_refines = m_requests.waiting(); // Begun anew after what came, where that is not another picture.
+                m_refines = m_requests.waiting(); // It begins anew after the requests, unless one is another picture.
                 return;
             }
             m_governor.observe(m_renderer->statistics(), shot.allHairs);
@@ -133,7 +134,7 @@ private:
 
     RenderThread& m_owner;
     std::unique_ptr<rendering::Backend> m_renderer = std::make_unique<rendering::SoftwareRenderer>();
-    /// All hairs at first: those that can't be told apart are not drawn anyhow.
+    /// Begins with all hairs: those too thin to be told apart are not drawn anyway.
     rendering::DetailGovernor m_governor{kWantedMs, 1.0F};
     std::optional<Job> m_last;
     bool m_refines = false; ///< The last job's next and finer picture is due.

@@ -11,9 +11,9 @@ namespace {
 
 constexpr float kBustShownM = 0.52F;
 constexpr glm::vec3 kBustMiddleWo{0.0F, -0.063F, 0.0F};
-constexpr float kMarginM = 0.015F; ///< Above the highest hair; curls and volume reach beyond the nodes.
+constexpr float kMarginM = 0.015F; ///< Margin above the highest hair: curls and volume reach beyond the nodes.
 
-/// Slots that are no hair lie in the head's centre, where they change nothing.
+/// Visits the nodes of all slots in positioned blocks; slots without hair lie in the head's centre and change nothing.
 template<class Visit>
 void forEachNode(const sim::GroupFrame& group, const Visit& visit)
 {
@@ -25,7 +25,7 @@ void forEachNode(const sim::GroupFrame& group, const Visit& visit)
     });
 }
 
-/// How far above the target the hair is seen at most, m at the target's distance.
+/// Greatest height above the target at which hair is seen, m at the target's distance.
 float highestSeen(const rendering::Camera& camera, const sim::StrandFrame& hair)
 {
     const glm::mat4 view = camera.view();
@@ -66,7 +66,7 @@ rendering::Camera stageOf(rendering::Camera camera, const model::Head& head, con
     return camera;
 }
 
-/// Of a bust the head alone, of other heads everything.
+/// Adds the points of a bust's head alone, and of other heads all.
 void addHead(std::vector<glm::vec3>& pointsWo, const model::Head& head)
 {
     constexpr float kBelowChinM = 0.01F;

@@ -8,8 +8,8 @@
 
 namespace hairpaint::view {
 
-/// Of a bust the head down to the shoulders, of other heads everything; further away where hair stands above that.
-/// `hair` may be null. Takes about 5 ns a node.
+/// A camera that shows a bust's head down to the shoulders, and all of other heads; further away where hair stands
+/// above that. `hair` may be null. Takes about 5 ns a node.
 [[nodiscard]] rendering::Camera stageCamera(rendering::StandardView view, const model::Head& head,
                                             const sim::HeadMesh& mesh, const sim::StrandFrame* hair);
 /// The same as seen from the direction of another camera.

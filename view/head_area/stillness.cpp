@@ -9,7 +9,7 @@ namespace hairpaint::view {
 namespace {
 
 constexpr double kMostPx = 1.0;
-constexpr std::size_t kRows = 1024; ///< Of 16 nodes each, in every group.
+constexpr std::size_t kRows = 1024; ///< Rows of 16 nodes that are compared in each group, about.
 
 bool sameHair(const sim::StrandFrame& a, const sim::StrandFrame& b)
 {

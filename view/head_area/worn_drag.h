@@ -15,7 +15,7 @@ namespace hairpaint::view {
 class EditorState;
 class HeadScene;
 
-/// Whose outlines are seen: those of all while colliders are shown, else of the chosen one.
+/// The worn things whose outlines are shown: all while colliders are shown, else the chosen one.
 [[nodiscard]] std::vector<model::Worn> outlinedWorn(const EditorState& editor);
 
 /// A press on an outline, or on a body that is drawn, chooses that thing and drags it in the plane of the screen, or
@@ -30,7 +30,7 @@ public:
         : m_editor(editor), m_scene(scene), m_area(area)
     {}
 
-    [[nodiscard]] bool press(const PointerSample& sample); ///< Whether something was taken hold of.
+    [[nodiscard]] bool press(const PointerSample& sample); ///< Returns whether something was taken hold of.
     void move(const PointerSample& sample);
     void release() { m_edit.commit(); }
     void cancel() { m_edit.drop(); }
@@ -42,7 +42,7 @@ private:
     struct Grip
     {
         model::Id id = 0; ///< 0: nothing is held.
-        int end = kNoEnd; ///< Of an axis; none: the outline or the body.
+        int end = kNoEnd; ///< Number of a WornHandle; kNoEnd: the outline or the body.
     };
     [[nodiscard]] Grip gripAt(QPointF position) const;
     [[nodiscard]] model::Id bodyAt(QPointF position) const; ///< 0 where none is before the skin.
@@ -61,7 +61,7 @@ private:
     Grip m_grip;
     PointerSample m_pressed;
     model::Worn m_before;
-    std::optional<sim::SurfacePoint> m_over; ///< Where over the skin it was dragged last.
+    std::optional<sim::SurfacePoint> m_over; ///< Point of the skin to which it was dragged last.
 };
 
 } // namespace hairpaint::view

@@ -19,22 +19,24 @@ struct HeadSight
     QSizeF size; ///< px
 };
 
-/// Where it is cut across each of its own axes through its centre; without those of which a part lies behind the eye.
+/// Outlines of the sections through its centre across each of its own axes; without those that lie partly behind the
+/// eye.
 [[nodiscard]] std::vector<QPolygonF> outlinesOf(const sim::Ellipsoid& shape, const HeadSight& sight);
-/// The handle by which what stands on the skin is turned, after the ends of the axes.
+/// Number of the handle by which what stands on the skin is turned; it follows the ends of the axes.
 inline constexpr int kTurnEnd = 6;
-/// Where it lies, Hd: off the thing, where its z goes.
+/// Position of that handle, Hd: off the thing, along its z axis.
 [[nodiscard]] glm::vec3 turnEndHd(const model::Worn& worn);
 
 /// An end of an axis that can be pulled, or what it is turned by.
 struct WornHandle
 {
-    int end = 0; ///< Of one of the axes: two for each, in their order; or kTurnEnd.
+    int end = 0; ///< Number of an axis's end, two for each axis in their order; or kTurnEnd.
     QPointF at;
 };
-/// Without ends behind the eye, and those before a body that is drawn, by which it is moved.
+/// The handles of a worn thing; without ends that are behind the eye, or in front of a drawn body, by which it is
+/// moved.
 [[nodiscard]] std::vector<WornHandle> handlesOf(const model::Worn& worn, const HeadSight& sight);
-/// Unit, from the centre to that end, Hd.
+/// Direction from the centre to an axis's end, Hd, unit.
 [[nodiscard]] glm::vec3 axisToEnd(const sim::Ellipsoid& shape, int end);
 /// How far along the ray it meets a mesh of the unit ball's space, m; none where it misses it.
 [[nodiscard]] std::optional<float> meetingAlong(const sim::RayHd& ray, const sim::Ellipsoid& shape,

@@ -19,7 +19,7 @@ std::optional<QColor> fromDigits(const QString& digits)
     return QColor(QLatin1Char('#') + digits.first(6));
 }
 
-/// Of 0..255, or of 0..100 %.
+/// A channel, 0..255, from a text of 0..255 or 0..100 %.
 std::optional<int> channel(const QString& text)
 {
     const bool isPercent = text.endsWith(QLatin1Char('%'));

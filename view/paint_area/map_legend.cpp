@@ -21,11 +21,11 @@ namespace {
 constexpr int kWidth = 184;
 constexpr int kBar = 12;
 constexpr int kLine = 18;
-constexpr double kLeastTickGap = 0.15; ///< Of the bar's width.
-constexpr int kNear = 24;              ///< Pixels around the card.
+constexpr double kLeastTickGap = 0.15; ///< Least distance of two ticks, as a fraction of the bar's width.
+constexpr int kNear = 24;              ///< Margin around the card in which the pointer counts as near, px.
 constexpr int kFadeMs = 150;
 constexpr double kFadedOpacity = 0.12;
-constexpr int kMostOfArea = 4; ///< Where the card is higher or wider than this part of the area it is folded.
+constexpr int kMostOfArea = 4; ///< A card higher than the area's height over this is folded.
 
 /// Round numbers that keep their distance on the bar, with both ends.
 QList<MapLegend::Tick> ticksOf(const sim::GroupSettings& settings, const model::MapSpec& spec)

@@ -21,7 +21,7 @@ public:
     /// A mark on a scale's bar.
     struct Tick
     {
-        double fraction = 0.0; ///< Of the bar's width, which is even in what is shown, not in values.
+        double fraction = 0.0; ///< 0..1 along the bar, where model::shownFraction() puts the value.
         QString text;
     };
 
@@ -40,19 +40,19 @@ protected:
 
 private:
     void setFaded(bool faded);
-    void reposition(); ///< To that corner of the parent, folded where that is small.
+    void reposition(); ///< Moves to the parent's lower left corner, folded where the parent is small.
     void paintFolded(QPainter& painter, const QRect& line) const;
     void paintScale(QPainter& painter, const QRect& line) const;
 
     QString m_title;
     QStringList m_labels;
     QList<Tick> m_ticks;
-    QList<QColor> m_colours; ///< Of a scale from its paper to its full colour, or one for each label.
+    QList<QColor> m_colours; ///< A scale's first and last colour, or one for each label.
     bool m_isScale = false;
     bool m_folded = false;
     bool m_faded = false;
     QVariantAnimation m_fading{this};       ///< Its value is the card's opacity.
-    const model::MapSpec* m_spec = nullptr; ///< What is shown, so that showing it again costs nothing.
+    const model::MapSpec* m_spec = nullptr; ///< The map that is shown, so that showing it again costs nothing.
     sim::GroupSettings m_settings;
     bool m_nightPaper = false;
 };

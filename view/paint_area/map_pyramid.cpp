@@ -13,14 +13,14 @@ namespace hairpaint::view {
 
 namespace {
 
-/// More changed tiles than this are made anew when they are wanted.
+/// Where more tiles change than this, all pictures are made anew when they are wanted.
 constexpr int kMendedAtOnce = 96;
-/// Finest pictures kept though out of sight: 48 MB.
+/// Number of finest pictures above which those out of sight are dropped: 48 MB.
 constexpr int kKeptTiles = 192;
-/// Of a larger map the finest pictures go as soon as they are halved.
+/// Side in texels above which a map's finest pictures are dropped as soon as they are halved.
 constexpr int kLargestKeptSide = 4096;
 
-/// What shows a larger map halved is of samples first.
+/// Side in texels above which the smaller pictures of a map are sampled first, and averaged later.
 constexpr int kLargestAtOnce = 1024;
 constexpr int kMostApart = sim::TiledRaster::kTileSize;
 
@@ -113,7 +113,7 @@ void MapPyramid::mend(int rasterTile)
         const QPoint tile(rect.x0 / level.tileSide, rect.y0 / level.tileSide);
         QImage& image = level.tiles[level.indexOf(tile.x(), tile.y())];
         if (image.isNull() || single(image)) {
-            // What lies above it can't be mended from it: made anew when wanted.
+            // The levels above can't be mended from this tile: it is made anew when wanted.
             image = QImage();
         } else {
             const QRect inTile(rect.x0 - tile.x() * level.tileSide, rect.y0 - tile.y() * level.tileSide,

@@ -10,7 +10,7 @@ namespace hairpaint::view {
 
 namespace {
 
-/// Landmarks are named where the map is at least that large, and until the user has zoomed in on a detail.
+/// Least and greatest size of the map at which landmarks are named.
 constexpr double kLeastLabelledPx = 320.0;
 constexpr double kMostLabelledPx = 6000.0;
 
@@ -43,7 +43,7 @@ QList<QRectF> PaintCanvas::setMap(std::shared_ptr<const sim::TiledRaster> raster
 
 int PaintCanvas::reachPx() const
 {
-    constexpr int kSmooth = 2; ///< Of a picture that is drawn smaller.
+    constexpr int kSmooth = 2; ///< Reach of the smoothing where the picture is drawn smaller.
     return m_isField ? kFieldHairReachPx : kSmooth;
 }
 

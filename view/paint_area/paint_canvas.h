@@ -54,7 +54,7 @@ private:
     MapPyramid m_pyramid;
     bool m_isField = false; ///< The map holds directions.
     BackdropPtr m_backdrop;
-    QImage m_veil; ///< Of the backdrop's shading.
+    QImage m_veil; ///< The backdrop's shading, as it is drawn over the map.
     std::vector<Landmark> m_landmarks;
     QImage m_upper;
     bool m_upperValid = false;

@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kZoomPerNotch = 1.2;
 constexpr double kWheelNotch = 120.0;
-constexpr double kRefineMs = 4.0; ///< Of a frame's sixteen.
+constexpr double kRefineMs = 4.0; ///< Time for refining in a frame, which has sixteen.
 constexpr int kRestMs = 80;
 
 /// Around all tiles that a change touched, in uv; empty where it names none.
@@ -57,16 +57,16 @@ struct PaintView::State
     EditorState& editor;
     Theme theme;
     StartBackdrop startBackdrop;
-    std::shared_ptr<const model::Head> head; ///< Whose backdrop is shown or made.
+    std::shared_ptr<const model::Head> head; ///< The head whose backdrop is shown or being made.
     PaintCanvas canvas;
     MapLegend* legend = nullptr; ///< A child.
     UvTransform transform;
-    bool fitted = true; ///< Nobody has moved the view: resizing fits it again.
+    bool fitted = true; ///< The user has not moved the view: resizing fits it again.
 
     QPolygonF changedOutline; ///< In uv: what the last change of texels touched; empty after other changes.
     PaintOverlay overlay;
     PaintPointer pointer;
-    QTimer refining; ///< Runs while the map's picture is of samples.
+    QTimer refining; ///< Runs while the map's picture is coarse, see MapPyramid::isCoarse().
 };
 
 PaintView::PaintView(EditorState& state, const Theme& theme, StartBackdrop start, QWidget* parent)
@@ -295,7 +295,7 @@ void PaintView::paintEvent(QPaintEvent* event)
     }
     painter.setClipRegion(event->region());
     m_state->overlay.paint(painter);
-    // Not while it changes from frame to frame; what is refined itself goes on.
+    // Refining waits until the picture has not changed for a while; refining that already runs goes on.
     if (m_state->canvas.pyramid().isCoarse() && (!m_state->refining.isActive() || m_state->refining.interval() > 0))
         m_state->refining.start(kRestMs);
 }

@@ -34,7 +34,7 @@ std::uint64_t shuffled(std::uint64_t x)
     return x ^ (x >> 33U);
 }
 
-/// Of level k, in paper units.
+/// Spacing of a level's edges, in paper units.
 double spacingOf(std::size_t level)
 {
     return std::ldexp(1.0, -static_cast<int>(level + 2));

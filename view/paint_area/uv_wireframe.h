@@ -47,7 +47,7 @@ private:
     std::vector<bool> m_onBorder;           ///< [vertices]
     std::vector<unsigned> m_neighbourStart; ///< [vertices + 1]
     std::vector<unsigned> m_neighbours;
-    double m_meanLength = 0.0;                        ///< Of the edges, in paper units.
+    double m_meanLength = 0.0;                        ///< Mean length of the edges, in paper units.
     std::array<std::vector<Edge>, kLevels> m_thinned; ///< Empty where the edges themselves are coarse enough.
 };
 

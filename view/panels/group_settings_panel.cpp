@@ -117,7 +117,7 @@ QWidget* GroupSettingsPanel::makeHairTypes(QWidget* parent)
     box->setObjectName(QStringLiteral("hairType"));
     box->setAccessibleName(tr("Hair type"));
     box->setToolTip(tr("From straight (1) by wavy (2) and curly (3) to coily (4): sets the numbers below"));
-    // Of numbers of one's own there is an entry only while they are there: it is not to be chosen.
+    // The entry "Custom" is there only while the numbers match no type: it is not to be chosen.
     const auto fill = [box](bool isCustom) {
         box->clear();
         for (const model::HairType& type : model::hairTypes())
@@ -172,7 +172,7 @@ QWidget* GroupSettingsPanel::makeSlider(const GroupSetting& row, QWidget* parent
     slider->setHint(schemaText(row.hint));
     // A session a slider: moving one ends, and keeps, what another one left open.
     auto session = std::make_shared<model::EditSession>();
-    auto edited = std::make_shared<model::Id>(0); // Also when another group becomes the active one meanwhile.
+    auto edited = std::make_shared<model::Id>(0); // Stays the same when another group becomes active meanwhile.
     const auto show = [this, &row, session, edited](double value) {
         if (!session->active())
             m_state.document().endEdit(); // What somebody only looks at may have another group.
@@ -208,7 +208,8 @@ void GroupSettingsPanel::bindRange(BarSlider& slider, const GroupSetting& row,
                                    const std::shared_ptr<model::EditSession>& session,
                                    const std::shared_ptr<model::Id>& edited)
 {
-    constexpr std::size_t kMostShownTexels = 4'000'000; ///< Rescaled while it moves; more of them when it is let go.
+    /// Most texels that are rescaled while the slider moves; more wait until it is let go.
+    constexpr std::size_t kMostShownTexels = 4'000'000;
     auto change = std::make_shared<model::RangeChange>();
     auto waits = std::make_shared<bool>(false);
     const auto settingsAt = [this, &row](const model::HairGroup& before, double value) {

@@ -39,8 +39,8 @@ private:
 
     EditorState& m_state;
     KnownHandles m_known;
-    std::optional<KnownHandles::State> m_base;   ///< Of the active group, as it is committed.
-    std::optional<KnownHandles::State> m_edited; ///< As it is shown.
+    std::optional<KnownHandles::State> m_base;   ///< State of the active group as it is committed.
+    std::optional<KnownHandles::State> m_edited; ///< State of the active group as the edit shows it.
     model::EditSession m_edit;
     std::array<BarSlider*, model::kHandleCount> m_sliders{};
     QLabel* m_nothing = nullptr;

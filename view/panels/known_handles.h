@@ -21,11 +21,11 @@ public:
         model::HandleValues values;
         std::shared_ptr<model::HairHandles> handles;
     };
-    /// Of the group as it is committed, which must be there; no edit of it is shown now.
+    /// The state of a group as it is committed. The group must exist, and no edit of it may be shown.
     [[nodiscard]] const State& of(model::Document& document, model::Id group);
-    /// The group will be so.
+    /// Adds a state that the group is about to have.
     void add(State state);
-    void forget() { m_states.clear(); } ///< None of them comes back.
+    void forget() { m_states.clear(); } ///< Drops all states.
 
 private:
     static constexpr std::size_t kKept = 8;

@@ -69,7 +69,7 @@ private:
     QToolButton* m_up = nullptr;
     QToolButton* m_down = nullptr;
     QTimer m_thumbnails;
-    std::map<model::Id, Thumbnail> m_thumbnailOf; ///< Of the layers listed.
+    std::map<model::Id, Thumbnail> m_thumbnailOf; ///< By the ids of the listed layers.
     int m_drawnThumbnails = 0;
     bool m_filling = false;
 };

@@ -30,7 +30,7 @@ using model::ToolSettings;
 
 namespace {
 
-constexpr int kSliderWidth = 160; ///< Where there is room.
+constexpr int kSliderWidth = 160; ///< Width of a slider where there is room, px.
 constexpr int kValueWidth = 240;
 
 QToolButton* toggle(const QString& iconName, const QString& name, QWidget* parent)
@@ -51,7 +51,7 @@ QWidget* box(QWidget* parent)
 
 } // namespace
 
-/// Of one row. A slider, a switch, or a box with a button for each kind.
+/// The widget of one row: a slider, a switch, or a box with a button for each kind.
 struct OptionBar::Option
 {
     const ToolOption* row = nullptr;
@@ -267,7 +267,7 @@ void OptionBar::followValue()
     const model::PaintValue value = m_state.tools().settings().value(spec.kind);
     const std::pair stood(m_state.target().group(), spec.kind);
     if (std::exchange(m_stands, stood) != stood)
-        m_scalar->release(); // It stands for another map's value from here on.
+        m_scalar->release(); // From here on it shows another map's value.
     m_badge->setMap(spec.kind);
     const bool scalar = spec.scale != nullptr;
     m_scalar->setVisible(scalar);

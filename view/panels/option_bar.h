@@ -55,7 +55,7 @@ private:
     std::pair<model::Id, model::MapKind> m_stands{}; ///< The group and the map whose value m_scalar shows.
     BarSlider* m_scalar = nullptr;
     QToolButton* m_valueButton = nullptr;
-    std::vector<Option> m_options; ///< Of every tool.
+    std::vector<Option> m_options; ///< The options of all tools.
     QWidget* m_selectionBox = nullptr;
 };
 

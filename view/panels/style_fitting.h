@@ -26,14 +26,14 @@ public:
     /// last style left it, that style is shown anew with as much of it, over the hair that was there before.
     void setFraction(double fraction);
     void keepFraction();                    ///< What setFraction() shows becomes one undo step.
-    void takeFractionBack(double fraction); ///< Nothing of it does; `fraction` is in force again.
+    void takeFractionBack(double fraction); ///< Drops what setFraction() shows; `fraction` is in force again.
     /// Previews a style; does nothing while a question is open.
     void show(const PresetPtr& preset, model::StylePart part);
     [[nodiscard]] bool shows() const { return m_edit.active(); }
     /// Applies a style as one undo step, after a question if needed.
     void putOn(const PresetPtr& preset, model::StylePart part);
     void drop();                      ///< Drops a preview.
-    void dismiss() { m_edit.drop(); } ///< A question, too, without an answer.
+    void dismiss() { m_edit.drop(); } ///< Drops a preview and, without an answer, a question.
 
 Q_SIGNALS:
     void failed(const QString& message); ///< The style has nothing for this head.
@@ -54,13 +54,13 @@ private:
         std::vector<model::HairGroup> groupsBefore, groupsAfter;
         std::vector<model::Worn> wornBefore, wornAfter;
     };
-    void remember(); ///< The hair is as the style left it.
+    void remember(); ///< Notes in m_kept what the style left behind.
     [[nodiscard]] model::StyleUse useOf(const model::Preset& preset, model::StylePart part) const;
     void begin();
     void showStyle(const PresetPtr& preset, const model::StyleUse& use);
     void ask(const PresetPtr& preset, const model::StyleUse& use);
     void commit(const PresetPtr& preset, const model::StyleUse& use);
-    void editEnded(); ///< However it ended.
+    void editEnded(); ///< Called however m_edit ended.
 
     EditorState& m_state;
     StyleQuestion& m_question;
@@ -68,7 +68,7 @@ private:
     double m_fraction = 1.0;
     std::optional<Kept> m_kept;
     bool m_mixes = false;                        ///< setFraction() shows the last style.
-    model::EditSession m_edit;                   ///< Of the style that is shown.
+    model::EditSession m_edit;                   ///< The edit that shows a style.
     std::optional<model::LayerAddress> m_before; ///< What was active before, while a style is shown.
     /// Groups as a style put them on; as long as they are so, another style may replace them without a question.
     std::map<model::Id, model::HairGroup> m_untouched;

@@ -14,11 +14,11 @@ namespace hairpaint::view {
 /// What the program is to do with a style's file.
 enum class StyleOrder : std::uint8_t
 {
-    About, ///< Its card.
+    About, ///< Shows its card.
     Rename,
     Tag,
-    Replace, ///< By the hair that is open.
-    Picture, ///< Drawn anew from where the 3D area is looked at.
+    Replace, ///< Replaces it by the hair that is open.
+    Picture, ///< Draws its picture anew from where the 3D area is looked at.
     Export,
     Delete
 };
@@ -29,7 +29,7 @@ struct StyleOrderSpec
     StyleOrder order;
     const char* title;                       ///< To be translated in context "StyleOrders".
     QKeyCombination key = {};                ///< None: Qt::Key{}.
-    bool ofOwn = true;                       ///< Of the user's own alone.
+    bool ofOwn = true;                       ///< Only for the user's own styles.
     [[nodiscard]] QString titleText() const; ///< Translated.
 };
 [[nodiscard]] std::span<const StyleOrderSpec> styleOrders();

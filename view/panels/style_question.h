@@ -20,7 +20,7 @@ public:
     explicit StyleQuestion(QWidget* parent);
     /// `groups`: shown names.
     void ask(const QString& style, const QStringList& groups);
-    void close(); ///< Without an answer.
+    void close(); ///< Closes it without an answer.
 
 Q_SIGNALS:
     void keepChosen();    ///< The style, but these groups stay.
@@ -28,7 +28,7 @@ Q_SIGNALS:
     void cancelChosen();  ///< The style is not applied.
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override; ///< Of the buttons.
+    bool eventFilter(QObject* watched, QEvent* event) override; ///< Reads the keys of the buttons.
 
 private:
     void step(int by); ///< Moves the focus by so many buttons.

@@ -51,9 +51,9 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void saveStyleRequested();
-    void undoWanted(); ///< Of what offerUndo() tells.
+    void undoWanted(); ///< What offerUndo() tells is to be undone.
     void ordered(const QString& path, hairpaint::view::StyleOrder order);
-    void marksChanged(const hairpaint::view::StyleMarks& marks); ///< By the user.
+    void marksChanged(const hairpaint::view::StyleMarks& marks); ///< The user changed them.
     void pictureWanted(const QString& path);                     ///< For each entry that has none.
     void failed(const QString& message);                         ///< A style could not be read, or does not fit.
     void asking();                                               ///< The strip must be seen now.

@@ -22,7 +22,7 @@ public:
     void setAction(model::ToolId tool, const QAction& action);
     /// A button for one of the main window's actions (mirror, wireframe, ...) at the foot. Not owned.
     void addFootAction(QAction* action);
-    [[nodiscard]] QSize minimumSizeHint() const override; ///< Of two columns.
+    [[nodiscard]] QSize minimumSizeHint() const override; ///< The size of the bar in two columns.
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

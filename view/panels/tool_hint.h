@@ -28,7 +28,7 @@ private:
 
     QLabel* m_words;
     ToolDemo* m_demo;
-    QHash<const QObject*, const model::DemoStroke*> m_demos; ///< Of each button.
+    QHash<const QObject*, const model::DemoStroke*> m_demos; ///< By the button that they explain.
 };
 
 } // namespace hairpaint::view

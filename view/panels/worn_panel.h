@@ -34,7 +34,7 @@ private:
     void chooseColour();
     void choose(int make);
     void followMaking(const model::Worn& worn);
-    /// Of the thing with that id.
+    /// Shows an edit of the worn thing with that id.
     void showEdit(model::EditSession& session, model::Id id, Step step, const Edit& edit);
     void follow();
     void followSwatches();
@@ -42,16 +42,16 @@ private:
 
     EditorState& m_state;
     QGridLayout* m_all;
-    std::vector<Swatch*> m_swatches; ///< As many as were ever needed; those of the things come first.
-    std::vector<model::Id> m_ids;    ///< Of those that are shown.
-    QWidget* m_look;                 ///< The controls.
+    std::vector<Swatch*> m_swatches; ///< As many as were ever needed; the first m_ids.size() are in use.
+    std::vector<model::Id> m_ids;    ///< Ids of the things whose swatches are shown.
+    QWidget* m_look;                 ///< The controls of the chosen thing.
     Swatch* m_colour;
-    QComboBox* m_make; ///< Of a kind that is made of one thing or another.
+    QComboBox* m_make; ///< Shown for kinds that can be made of one thing or another.
     BarSlider* m_sheen;
     BarSlider* m_radius;
-    BarSlider* m_tightness; ///< Of a tie.
-    BarSlider* m_coil;      ///< Of a bun.
-    model::Id m_shown = 0;  ///< Whose look the controls have.
+    BarSlider* m_tightness; ///< Shown for a tie.
+    BarSlider* m_coil;      ///< Shown for a bun.
+    model::Id m_shown = 0;  ///< The thing that the controls show.
     model::EditSession m_colourEdit;
 };
 

@@ -20,25 +20,28 @@ struct BlockQuestion
     const float* straysM = nullptr; ///< [kPickLanes]
     std::uint32_t lanes = 0;        ///< Bit a lane: strands that count.
     std::uint32_t spans = 0;        ///< Bit a box of HairBoxes: where to look.
-    PictureBox box;                 ///< Segments near it are wanted,
+    PictureBox box;                 ///< Box in the picture: segments near it are wanted,
     float deepestM = kNoLimitM;     ///< where their curves may lie no deeper than this.
 };
 
 /// Segments by the node at their end; of spans that were not looked at nothing is written but that nothing is there.
 struct BlockAnswer
 {
-    std::array<std::array<float, 3 * kPickLanes>, sim::kMostNodes> seen; ///< Of each node, as Lens gives it.
+    /// [nodes][3][kPickLanes] as Lens::seen() gives it.
+    std::array<std::array<float, 3 * kPickLanes>, sim::kMostNodes> seen;
     std::array<PickRow, sim::kMostNodes> strayPx;
-    std::array<PickRow, sim::kMostNodes> fraction;       ///< Of the segment, where it is nearest to a brush's middle;
-    std::array<PickRow, sim::kMostNodes> apartPx;        ///< how far it is there.
+    /// Fraction of the segment at which it is nearest to the brush's middle.
+    std::array<PickRow, sim::kMostNodes> fraction;
+    std::array<PickRow, sim::kMostNodes> apartPx;        ///< Distance from the brush's middle there.
     std::array<std::uint32_t, sim::kMostNodes> near;     ///< Bit a lane: its curve may meet the box.
     std::array<std::uint32_t, sim::kMostNodes> touching; ///< Its curve may meet the brush.
     std::uint32_t anyNear;
 };
 
-/// Segments before the eye whose boxes, with room for their curves, meet the question's. The same bytes on any machine.
+/// Finds the segments before the eye whose boxes, with room for their curves, meet the question's. The same bytes on
+/// any machine.
 void findNear(const Lens& lens, const BlockQuestion& question, BlockAnswer& answer);
-/// The same and of those near to the brush what touches it.
+/// As findNear(), and finds which of those segments touch the brush.
 void findTouches(const Lens& lens, const BlockQuestion& question, const PictureBrush& brush, BlockAnswer& answer);
 
 /// A box for each span of the block's strands, without room for curves, and the least depth in it. Nodes behind the eye
@@ -47,8 +50,8 @@ void findBoxes(const Lens& lens, const BlockQuestion& question, PictureBox* boxe
 
 /// Lens::seen() of so many rows [3][kPickLanes].
 void seeRows(const Lens& lens, const float* rowsWo, std::size_t rows, float* seen);
-/// Of curves as seeRows() gives them: for each point, bit a lane, whether the segment that ends there lies before the
-/// eye and its box meets another.
+/// For curves as seeRows() gives them: for each point, bit a lane, whether the segment that ends there lies before the
+/// eye and its box meets `box`.
 void findCurvesNear(const float* seen, std::size_t points, const PictureBox& box, std::uint32_t* near);
 /// How far along its curve each point lies: [points][kPickLanes] from [points][3][kPickLanes].
 void measureCurves(const float* pointsWo, std::size_t points, float* alongM);

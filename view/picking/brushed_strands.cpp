@@ -38,16 +38,16 @@ SeenStrand strandAt(const PictureHair& picture, const Touch& touch, const Touch&
             .slot = touch.slot};
 }
 
-/// Of a strand the touches that are seen.
+/// The touches of one strand that other hair does not hide.
 struct TouchedStrand
 {
     const Touch* nearest;
     const Touch* first;
     std::uint32_t lastNode; ///< Beyond it the strand is nowhere near the brush.
-    bool isMet;             ///< Else its drawn curve tells.
+    bool isMet;             ///< The brush surely meets it; if false its drawn curve must be tested.
 };
 
-/// `touches` of a block, by strands.
+/// `touches`: of one block, strand by strand.
 void addCandidates(const PictureHair& picture, const TouchedBlocks& touched, std::span<const Touch> touches,
                    const PictureBrush& brush, std::vector<TouchedStrand>& candidates)
 {
@@ -59,7 +59,7 @@ void addCandidates(const PictureHair& picture, const TouchedBlocks& touched, std
         for (; i < touches.size() && touches[i].slot == slot; ++i) {
             const Touch& touch = touches[i];
             last = touch.node;
-            // Seen or not matters only of the first and of what is nearer than others.
+            // Only the first touch, and those nearer than the best so far, need the test whether they are hidden.
             if ((first != nullptr && touch.apartPx >= best->apartPx) || touched.hides(touch) ||
                 picture.skin.hides(touch.seen))
                 continue;
@@ -90,7 +90,7 @@ std::uint32_t lanesMet(CurveBatch& batch, std::uint32_t lanes, const PictureBrus
     return met;
 }
 
-/// Looks at the drawn curves of those of which it is not known, as many at once as there are lanes.
+/// Tests the drawn curves of candidates for which isMet is not known yet, as many at once as there are lanes.
 void meetCurves(const PictureHair& picture, const PictureBrush& brush, std::vector<TouchedStrand>& candidates)
 {
     CurveBatch batch(picture);

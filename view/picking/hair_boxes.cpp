@@ -13,12 +13,12 @@ namespace hairpaint::view {
 namespace {
 
 constexpr std::size_t kBlocksAtOnce = 128;
-// Of the radii in StrandStyle: how far from the skeleton the curves reach, at most.
+// Greatest distance of drawn curves from the skeleton, over the radii in StrandStyle.
 constexpr float kCurlReach = 1.2F;
 constexpr float kCoilReach = 2.0F;
 constexpr float kFrizzReach = 1.5F;
 constexpr float kBraidReach = 2.5F;
-constexpr float kSagOfSegment = 0.06F; ///< Of a skeleton's segment: the spline bulges from its chord.
+constexpr float kSagOfSegment = 0.06F; ///< Distance of the spline from a segment's chord, over the segment's length.
 
 std::uint32_t positionedLanes(const sim::GroupFrame& group, std::size_t firstSlot)
 {

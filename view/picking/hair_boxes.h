@@ -38,8 +38,8 @@ struct PictureBox
 /// How far a strand's drawn curve may stray from its skeleton.
 [[nodiscard]] float strayM(const sim::Groom& groom, std::size_t slot);
 
-/// Of every block in which hairs are positioned, a box for each few segments of its skeletons, with room for the curves
-/// that are drawn around them. Immutable. About 3 ms to make for 100,000 hairs on one core, less on several.
+/// For each block in which hairs are positioned, boxes around every kSpan segments of its skeletons, with room for the
+/// curves that are drawn around them. Immutable. About 3 ms to make for 100,000 hairs on one core, less on several.
 struct HairBoxes
 {
     static constexpr std::size_t kSpan = 2; ///< Segments a box.
@@ -50,8 +50,8 @@ struct HairBoxes
         std::uint32_t lanes = 0; ///< Bit a lane: positioned hairs.
     };
     std::vector<Block> blocks;
-    std::size_t spans = 0;          ///< A block.
-    std::vector<PictureBox> wholes; ///< [blocks] All of a block's boxes.
+    std::size_t spans = 0;          ///< Boxes a block.
+    std::vector<PictureBox> wholes; ///< [blocks] box around all of a block's boxes.
     std::vector<PictureBox> boxes;  ///< [blocks][spans]
     std::vector<float> nearestM;    ///< [blocks][spans] Depth before which nothing of it is drawn.
     std::vector<float> strays;      ///< [blocks][kPickLanes] strayM() of positioned hairs.

@@ -19,8 +19,8 @@ struct Best
 {
     float cost = 1e9F;
     std::size_t slot = 0;
-    std::size_t segment = 0; ///< Its end's node; 0: none was found.
-    float fraction = 0.0F;   ///< Of the segment.
+    std::size_t segment = 0; ///< Node at the segment's end; 0: none was found.
+    float fraction = 0.0F;   ///< 0..1 along the segment.
 };
 
 /// What is looked for.

@@ -19,7 +19,7 @@ struct PictureSource
     int group = 0; ///< groupId of the groom.
     rendering::Camera camera;
     QSize size;
-    std::shared_ptr<const sim::Skin> skin; ///< Of the head, where it stands in the frame; null: none hides anything.
+    std::shared_ptr<const sim::Skin> skin; ///< The head's skin, posed as in the frame; null: no skin hides anything.
     friend bool operator==(const PictureSource&, const PictureSource&) = default;
 };
 
@@ -48,7 +48,7 @@ public:
 
 private:
     PictureSource m_source;
-    std::optional<PictureHair> m_hair; ///< None where the group has none.
+    std::optional<PictureHair> m_hair; ///< None where the group has no hair in the frame.
 };
 
 } // namespace hairpaint::view

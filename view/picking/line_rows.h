@@ -18,11 +18,11 @@ class LineRows
 public:
     LineRows(std::span<const QPointF> points, bool closed);
 
-    [[nodiscard]] const PictureBox& box() const { return m_box; } ///< All of it.
+    [[nodiscard]] const PictureBox& box() const { return m_box; } ///< Box around the whole line.
     [[nodiscard]] bool mayMeet(const PictureBox& box) const;
     /// Where a segment first meets it, 0..1 along the segment.
     [[nodiscard]] std::optional<float> firstMeeting(glm::vec2 from, glm::vec2 to) const;
-    /// Of a closed one: inside by the even-odd rule.
+    /// Whether a closed line contains a point, by the even-odd rule.
     [[nodiscard]] bool contains(glm::vec2 point) const;
 
 private:
@@ -35,7 +35,8 @@ private:
         float left = 1e9F, right = -1e9F;
         std::vector<std::uint32_t> edges = {};
     };
-    [[nodiscard]] std::pair<std::size_t, std::size_t> rowsOf(float top, float bottom) const; ///< First, and end.
+    /// First row, and the one behind the last.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> rowsOf(float top, float bottom) const;
 
     std::vector<Edge> m_edges;
     std::vector<Row> m_rows;

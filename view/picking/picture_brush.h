@@ -17,7 +17,7 @@ struct PictureBrush
 {
     glm::vec2 from{0.0F}, to{0.0F};
     float radiusPx = 0.0F;
-    PictureBox box; ///< All of it.
+    PictureBox box; ///< Box around the swept disc.
 
     PictureBrush(glm::vec2 begin, glm::vec2 end, float px) : from(begin), to(end), radiusPx(px)
     {
@@ -30,11 +30,11 @@ struct PictureBrush
 /// A point of a segment, and how far it is from another.
 struct Nearest
 {
-    float fraction = 0.0F; ///< Of the first segment.
+    float fraction = 0.0F; ///< 0..1 along the first segment.
     float apart = 0.0F;
 };
 
-/// Of a segment, where it is nearest to a point: 0..1.
+/// Fraction of a segment, 0..1, at which it is nearest to a point.
 [[nodiscard]] inline float fractionNear(glm::vec2 point, glm::vec2 from, glm::vec2 to)
 {
     const glm::vec2 segment = to - from;
@@ -42,7 +42,7 @@ struct Nearest
     return square > 0.0F ? std::clamp(glm::dot(point - from, segment) / square, 0.0F, 1.0F) : 0.0F;
 }
 
-/// Of a segment a-b the point nearest to the segment c-d.
+/// The point of a segment a-b that is nearest to the segment c-d.
 [[nodiscard]] inline Nearest nearestOf(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d)
 {
     const auto apartAt = [&](float fraction) {

@@ -16,14 +16,16 @@ namespace hairpaint::view {
 namespace {
 
 constexpr std::size_t kBlocksATask = 32;
-constexpr std::size_t kTouchesATask = 1024; ///< Room for so many at first.
-constexpr std::size_t kFirstBlocks = 128;   ///< Of those nearest to the eye; then twice as many each time.
+constexpr std::size_t kTouchesATask = 1024; ///< Touches that a task has room for at first.
+/// Blocks nearest to the eye that are searched first; then twice as many each time.
+constexpr std::size_t kFirstBlocks = 128;
 constexpr float kLeastCellPx = 2.0F;
-constexpr float kCellsAcross = 16.0F;         ///< The brush.
+constexpr float kCellsAcross = 16.0F;         ///< Cells across the brush.
 constexpr std::uint32_t kFrontLanes = 0x1111; ///< One strand of four tells where the foremost hair is.
-constexpr float kBesideBrushPx = 8.0F;        ///< Hair so near to it is looked at, too: a curl may reach in.
+/// Distance from the brush within which hair in front is searched, too: a curl may reach in.
+constexpr float kBesideBrushPx = 8.0F;
 
-/// By strands, root first. What is drawn deeper than `deepestM` is passed over.
+/// Adds the touches of a block, strand by strand, root first; without those whose curve lies deeper than `deepestM`.
 void touchBlock(const PictureHair& picture, std::size_t index, const PictureBrush& brush, float deepestM,
                 BlockAnswer& answer, std::vector<Touch>& touches, FrontHair& front)
 {
@@ -39,7 +41,7 @@ void touchBlock(const PictureHair& picture, std::size_t index, const PictureBrus
     findTouches(picture.lens, question, brush, answer);
     if (answer.anyNear == 0)
         return;
-    // From a bit a lane of each node to a bit a node of each lane.
+    // Transposes bits: from a bit a lane for each node to a bit a node for each lane.
     std::array<std::uint32_t, kPickLanes> touching{};
     for (std::size_t n = 1; n < question.nodes; ++n)
         for (std::uint32_t lanes = answer.touching[n]; lanes != 0; lanes &= lanes - 1)
@@ -73,7 +75,7 @@ void touchBlock(const PictureHair& picture, std::size_t index, const PictureBrus
 /// A block near the brush.
 struct NearBlock
 {
-    float depthM; ///< Before which nothing of it is drawn near the brush.
+    float depthM; ///< Least depth of its hair near the brush.
     std::uint32_t index;
     friend auto operator<=>(const NearBlock&, const NearBlock&) = default; // NOLINT(modernize-use-nullptr)
 };
@@ -104,7 +106,7 @@ TouchedBlocks::TouchedBlocks(const PictureHair& picture, const PictureBrush& bru
     const FrontHair open = m_front;
     std::size_t some = kFirstBlocks;
     for (std::size_t begin = 0; begin < blocks.size(); some *= 2) {
-        // Those nearest to the eye of what is left.
+        // The blocks that are nearest to the eye among the rest.
         const std::size_t end = std::min(begin + some, blocks.size());
         if (end < blocks.size())
             std::nth_element(blocks.begin() + static_cast<std::ptrdiff_t>(begin),

@@ -14,21 +14,21 @@ namespace hairpaint::view {
 struct Touch
 {
     std::uint32_t slot;
-    std::uint32_t node; ///< At its end.
-    float fraction;     ///< Of the segment, where it is nearest.
-    float apartPx;      ///< From the brush's middle there,
-    float strayPx;      ///< and how far the curve may be from it.
+    std::uint32_t node; ///< The node at the segment's end.
+    float fraction;     ///< Fraction of the segment at which it is nearest to the brush's middle.
+    float apartPx;      ///< Distance from the brush's middle there.
+    float strayPx;      ///< How far the drawn curve may be from the skeleton there.
     float nearestM;     ///< No part of the curve there is nearer to the eye.
-    glm::vec3 seen;     ///< px, depth.
+    glm::vec3 seen;     ///< That point as the picture shows it: px, and depth.
 };
 
-/// Those of a brush. The same for any number of threads.
+/// The touches of one brush. The same for any number of threads.
 class TouchedBlocks
 {
 public:
     TouchedBlocks(const PictureHair& picture, const PictureBrush& brush);
 
-    /// By slot, and in each strand root first.
+    /// The touches block by block, in the order of slots, and in each strand root first.
     [[nodiscard]] std::vector<std::span<const Touch>> blocks() const;
     /// Whether other hair hides it.
     [[nodiscard]] bool hides(const Touch& touch) const

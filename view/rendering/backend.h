@@ -15,7 +15,7 @@ namespace hairpaint::rendering {
 struct Quality
 {
     float detail = 1.0F;     ///< 0..1: fraction of the hairs; those drawn are widened so that coverage stays the same.
-    int samples = 4;         ///< A pixel: 1, 2, 4, 8 or 16, at most Capabilities::mostSamples.
+    int samples = 4;         ///< Samples a pixel: 1, 2, 4, 8 or 16, at most Capabilities::mostSamples.
     bool coarseHead = false; ///< Whether a frame whose view differs from the one before may show Scene::headInMotion.
     bool linear = false;     ///< Whether readLinear() or takeLinear() will be called.
 };
@@ -34,13 +34,13 @@ struct FrameStatistics
 /// The optional abilities of a backend.
 struct Capabilities
 {
-    bool graphicsCard = false; ///< Draws on one; else on the processor, be it by a driver of OpenGL's.
+    bool graphicsCard = false; ///< Draws on a graphics card; else on the processor, maybe through a driver of OpenGL.
     int mostSamples = 4;       ///< Per pixel.
     bool linear = false;       ///< Pictures before they are encoded: Quality::linear.
     bool transparent = false;  ///< Scene::transparent.
 };
 
-/// One thread at a time; what else a backend asks for its maker says.
+/// One thread at a time; each backend's class says what else it needs.
 class Backend
 {
 public:
@@ -65,7 +65,7 @@ public:
     /// The same in linear light before it is encoded: RGBA, colours times alpha, row 0 on top. Empty unless the picture
     /// was drawn with Quality::linear, and where the backend has none.
     virtual void readLinear(std::vector<float>& pixels) { pixels.clear(); }
-    /// As read() and readLinear() give them, but for good, with all that was needed for drawing where that is much.
+    /// The pixels of read() and readLinear(), moved out: the backend may also free what it needed for drawing.
     [[nodiscard]] virtual std::vector<std::uint8_t> takePicture()
     {
         std::vector<std::uint8_t> pixels;
@@ -78,7 +78,7 @@ public:
         readLinear(pixels);
         return pixels;
     }
-    /// Of the last finished picture.
+    /// Statistics of the last finished picture.
     [[nodiscard]] virtual const FrameStatistics& statistics() const = 0;
     [[nodiscard]] virtual Capabilities capabilities() const = 0;
     [[nodiscard]] virtual const std::string& description() const = 0; ///< Name of the renderer, to be shown.

@@ -14,7 +14,7 @@ struct CardCorner
     glm::vec3 positionHd{0.0F};
     glm::vec3 normalHd{0.0F, 0.0F, 1.0F};   ///< Unit, outward.
     glm::vec3 tangentHd{0.0F, -1.0F, 0.0F}; ///< Unit, toward the hairs' tips.
-    glm::vec3 colour{0.2F};                 ///< Of the hair around; linear.
+    glm::vec3 colour{0.2F};                 ///< Colour of the hair around; linear.
     glm::vec2 uv{0.0F};                     ///< 0..1, v down.
     float shine = 0.5F;                     ///< As in sim::StrandMaterial.
     float roughness = 0.35F;

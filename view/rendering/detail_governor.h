@@ -31,11 +31,11 @@ private:
     double m_wantedMs;
     Quality m_quality;
     Quality m_moving = m_quality;
-    Quality m_whole = m_quality; ///< Of the last still frame that was complete.
-    int m_slow = 0;              ///< Frames in a row that took too long, and that left time.
-    int m_fast = 0;
+    Quality m_whole = m_quality; ///< Quality of the last still frame that was complete.
+    int m_slow = 0;              ///< Number of frames in a row that took too long.
+    int m_fast = 0;              ///< Number of frames in a row that left time.
     bool m_still = false;
-    bool m_retreated = false; ///< From a still frame that was not complete.
+    bool m_retreated = false; ///< A still frame was not complete, and m_quality went back to m_whole.
     bool m_wantsRefinement = true;
 };
 

@@ -1,4 +1,4 @@
-// Bounds the hair's box as the picture has it.
+// Bounds the hair's box in the picture.
 #include "view/rendering/eye_grid.h"
 
 #include <algorithm>
@@ -7,7 +7,8 @@ namespace hairpaint::rendering {
 
 EyeGrid eyeGrid(const FrameConstants& constants)
 {
-    constexpr float kEdge = 1.1F; ///< Of the picture, beyond which nothing hides what is seen.
+    /// Where the grid ends, in half the picture's size: hair further out hides nothing that is seen.
+    constexpr float kEdge = 1.1F;
     constexpr float kNearestM = 0.02F;
     constexpr float kLeastExtent = 0.01F;
     const glm::mat4 woFromBox = glm::inverse(constants.gridFromWo[1]);
@@ -18,7 +19,7 @@ EyeGrid eyeGrid(const FrameConstants& constants)
         const glm::vec4 box(static_cast<float>(corner & 1), static_cast<float>((corner >> 1) & 1),
                             static_cast<float>(corner >> 2), 1.0F);
         const glm::vec4 clip = m * (woFromBox * box);
-        const bool behind = clip.w < kNearestM; // It may lie anywhere in the picture then.
+        const bool behind = clip.w < kNearestM; // A corner behind the eye may lie anywhere in the picture.
         const glm::vec3 projected(clip.x / std::max(clip.w, kNearestM), clip.y / std::max(clip.w, kNearestM), clip.w);
         low = glm::min(low, behind ? glm::vec3(-kEdge, -kEdge, kNearestM) : projected);
         high = glm::max(high, behind ? glm::vec3(kEdge, kEdge, kNearestM) : projected);

@@ -23,11 +23,11 @@ struct ScalpTintSource
     sim::MapRaster colour;
     float strength = 0.0F;                                                            ///< StrandMaterial::scalpTint
     float densityPerM2 = 0.0F;                                                        ///< Where the density map is 1.
-    friend bool operator==(const ScalpTintSource&, const ScalpTintSource&) = default; ///< The same rasters.
+    friend bool operator==(const ScalpTintSource&, const ScalpTintSource&) = default; ///< Compares rasters by pointer.
 };
 using ScalpTintSources = std::vector<ScalpTintSource>;
 
-/// Of the groups that are seen and tint at all.
+/// The sources of the groups that are visible and tint the skin.
 [[nodiscard]] ScalpTintSources scalpTintSources(const sim::StrandFrame* hair);
 
 /// The tint at each vertex of a mesh. Only vertices whose texels may differ are looked at again. One thread; uses
@@ -38,9 +38,9 @@ public:
     /// Linear colour times cover, and cover: the skin's colour c becomes c (1 - w) + xyz. 65535 is 1.
     using Texel = glm::u16vec4;
 
-    /// True where any vertex's may differ from before.
+    /// Returns whether any vertex's tint may differ from before.
     bool update(const std::shared_ptr<const sim::HeadMesh>& mesh, const ScalpTintSources& sources);
-    /// One a vertex; empty where nothing tints the mesh.
+    /// [vertices]; empty where nothing tints the mesh.
     [[nodiscard]] std::span<const Texel> texels() const { return m_texels; }
 
 private:
@@ -51,7 +51,7 @@ private:
     std::shared_ptr<const sim::HeadMesh> m_mesh;
     ScalpTintSources m_sources;
     std::vector<Texel> m_texels;
-    std::map<int, sim::TileIndex> m_indices; ///< Of the points that the mesh's vertices read, by the raster's size.
+    std::map<int, sim::TileIndex> m_indices; ///< By the raster's size: which vertices read which tiles.
 };
 
 } // namespace hairpaint::rendering

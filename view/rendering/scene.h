@@ -36,7 +36,7 @@ struct Camera
 struct Light
 {
     glm::vec3 directionWo{0.4F, 0.6F, 0.7F}; ///< Toward the key light, unit.
-    glm::vec3 colour{0.9F};                  ///< Of the key light; linear, intensity included.
+    glm::vec3 colour{0.9F};                  ///< Colour of the key light; linear, intensity included.
     float fill = 0.4F;
     float rim = 0.6F;
     float ambient = 0.35F; ///< How bright the surroundings are.
@@ -63,10 +63,10 @@ struct Solid
     std::shared_ptr<const sim::HeadMesh> mesh; ///< Closed, in a space of its own in which it fits the unit ball,
     sim::Ellipsoid shape;                      ///< which is scaled, turned (unit) and moved to this.
     glm::vec3 colour{0.5F};                    ///< Linear.
-    float sheen = 0.6F;                        ///< As in SkinShading.
-    bool open = false;                         ///< It is not closed: its inside is seen.
+    float sheen = 0.6F;                        ///< As SkinShading::sheen.
+    bool open = false;                         ///< The mesh is not closed: its inside is seen.
     bool masked = false;                       ///< Where the texture's alpha is under a half nothing is drawn.
-    std::shared_ptr<const sim::MeshTexture> texture = {}; ///< Times the colour; null: none.
+    std::shared_ptr<const sim::MeshTexture> texture = {}; ///< Multiplied by the colour; null: none.
     friend bool operator==(const Solid&, const Solid&) = default;
 };
 /// What a solid is shaded as.
@@ -104,7 +104,7 @@ struct Scene
     bool transparent = false; ///< No background: pixels tell how much of them is covered; see Capabilities.
     std::optional<Ring> ring;
     std::optional<Ring> mirroredRing;
-    friend bool operator==(const Scene&, const Scene&) = default; ///< The same meshes and frame, not ones that look so.
+    friend bool operator==(const Scene&, const Scene&) = default; ///< Compares meshes and frame by pointer.
 };
 
 } // namespace hairpaint::rendering

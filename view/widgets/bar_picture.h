@@ -10,7 +10,7 @@ class QRect;
 
 namespace hairpaint::view {
 
-inline constexpr int kBarInset = 8; ///< Of its words, px.
+inline constexpr int kBarInset = 8; ///< Distance of its words from its ends, px.
 
 struct BarPicture
 {

@@ -23,14 +23,14 @@ public:
     void setValue(double value);
     [[nodiscard]] double minimum() const { return m_minimum; }
     [[nodiscard]] double maximum() const { return m_maximum; }
-    /// In the unit shown; values are rounded to `decimals`.
+    /// The range in the unit shown; values are rounded to `decimals`.
     void setRange(double minimum, double maximum, int decimals = 0);
     void setUnit(const QString& unit); ///< "cm"; shown after a thin space.
     /// The bar is `fraction^exponent` of the range: 2 to 4 give small values more room.
     void setExponent(double exponent);
     void setDefaultValue(double value); ///< What right-click resets to.
     void setLabel(const QString& label);
-    void setPreferredWidth(int width); ///< Of the size hint; the least width is what label and value need.
+    void setPreferredWidth(int width); ///< Width of the size hint; the least width is what label and value need.
     void setHint(const QString& hint); ///< What the value does; in the tooltip.
     [[nodiscard]] const QString& label() const { return m_label; }
     /// Fills the whole bar with a map's scale, from the smallest to the greatest value; empty for the plain fill.
@@ -55,7 +55,8 @@ protected:
     void finish();
     void cancel();
     void stepBy(double steps);
-    void finishIn(int milliseconds) { m_settle.start(milliseconds); } ///< Unless more is done until then.
+    /// Finishes after that time unless the user does more before.
+    void finishIn(int milliseconds) { m_settle.start(milliseconds); }
     [[nodiscard]] bool finishesSoon() const { return m_settle.isActive(); }
     [[nodiscard]] const QString& unit() const { return m_unit; }
     [[nodiscard]] int decimals() const { return m_decimals; }
@@ -91,7 +92,7 @@ private:
     QList<QColor> m_gradient;
     bool m_editing = false;
     double m_before = 0.0;
-    std::optional<double> m_told; ///< By setValue while the user was changing it.
+    std::optional<double> m_told; ///< Value that setValue() was given while the user was changing it.
     QTimer m_settle;              ///< After a click or a notch of the wheel, until the change counts as done.
 };
 

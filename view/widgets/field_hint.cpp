@@ -15,8 +15,8 @@ namespace hairpaint::view {
 
 namespace {
 
-constexpr int kNarrowestHint = 180; ///< Of a sentence under a short field, px.
-constexpr int kWidestHint = 320;
+constexpr int kNarrowestHint = 180; ///< Least width of a hint, under a short field, px.
+constexpr int kWidestHint = 320;    ///< Greatest width of a hint, px.
 
 void repolishHint(QWidget& widget)
 {

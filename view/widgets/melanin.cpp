@@ -9,11 +9,11 @@ namespace hairpaint::view {
 
 namespace {
 
-using Absorption = std::array<double, 3>; ///< Of linear red, green and blue, in a hair's radius.
+using Absorption = std::array<double, 3>; ///< Absorption of linear red, green and blue over a hair's radius.
 
 constexpr Absorption kEumelanin{0.419, 0.697, 1.37};
 constexpr Absorption kPheomelanin{0.187, 0.4, 1.05};
-constexpr double kMostPigment = 2.5;    ///< Times the absorption above: a coat of it is black.
+constexpr double kMostPigment = 2.5;    ///< Amount, over those above, of which a coat is black.
 constexpr double kOfRoughness = 5.8877; ///< Chiang's polynomial at an azimuthal roughness of 0.3.
 
 double shownOf(double linear)

@@ -13,7 +13,8 @@ namespace hairpaint::view {
 namespace {
 
 constexpr int kPlayMs = 2600;
-constexpr double kStrokeFraction = 0.75; ///< Of the time; the rest shows what has come of it.
+/// Fraction of the time that the stroke takes; in the rest its result is shown.
+constexpr double kStrokeFraction = 0.75;
 constexpr int kRows = 3;
 
 } // namespace

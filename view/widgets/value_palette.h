@@ -50,7 +50,7 @@ private:
     bool m_second = false;
     QWidget* m_body = nullptr;
     BarSlider* m_slider = nullptr;
-    BarSlider* m_angle = nullptr; ///< Of a vector, degrees.
+    BarSlider* m_angle = nullptr; ///< Angle of a direction, degrees.
     BarSlider* m_flatness = nullptr;
     MelaninSliders* m_melanin = nullptr;
     QLabel* m_title = nullptr;

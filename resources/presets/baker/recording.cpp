@@ -20,11 +20,11 @@ namespace hairpaint::presets {
 namespace {
 
 constexpr int kMapSize = 512;
-constexpr float kMouseStepM = 0.004F;     ///< Between two events of a drag.
-constexpr float kLevelStepDegrees = 7.5F; ///< Between points along a height.
-constexpr float kOverStepM = 0.012F;      ///< Between points over the head.
-constexpr float kAxisForwardM = -0.010F;  ///< Of the axis around which the head is looked at.
-constexpr float kHighM = 0.5F;            ///< Above everything.
+constexpr float kMouseStepM = 0.004F;     ///< Distance of two events of a drag.
+constexpr float kLevelStepDegrees = 7.5F; ///< Angle between points along a height.
+constexpr float kOverStepM = 0.012F;      ///< Distance between points over the head.
+constexpr float kAxisForwardM = -0.010F;  ///< Where the axis is around which the head is looked at, forward.
+constexpr float kHighM = 0.5F;            ///< Height above everything.
 constexpr double kBetweenClicksSeconds = 2.0;
 
 glm::vec3 between(glm::vec3 before, glm::vec3 from, glm::vec3 to, glm::vec3 after, float fraction)
@@ -197,7 +197,7 @@ void Recording::bands(MapKind map, const std::vector<Band>& bands, float fromDeg
         std::vector<float> apartM(points.size());
         for (std::size_t point = 0; point < points.size(); ++point)
             apartM[point] = glm::distance(points[point].positionHd, next[point].positionHd);
-        // Not the widest: beside an ear a band would be as wide as the ear stands off.
+        // Not the widest distance: beside an ear the band would be as wide as the ear stands off.
         std::ranges::sort(apartM);
         brush(map, bands[i].value, {.sizeM = 2.0F * apartM[apartM.size() * 3 / 4], .hardness = 0.0F}, points);
     }

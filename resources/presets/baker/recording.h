@@ -41,8 +41,8 @@ struct Band
 
 [[nodiscard]] PaintValue scalar(float value);
 [[nodiscard]] PaintValue colour(QRgb value);
-[[nodiscard]] PaintValue entry(int index); ///< Of a palette: of braids, of what is worn.
-[[nodiscard]] PaintValue upright();        ///< Of the direction map.
+[[nodiscard]] PaintValue entry(int index); ///< An entry of a palette: of braids, or of what is worn.
+[[nodiscard]] PaintValue upright();        ///< The direction map's value of hair that stands upright.
 
 /// What Hair > Add hair group adds of that kind (model/styles/hair_kinds.h) to the head of new projects.
 [[nodiscard]] model::HairGroup grownHair(QLatin1StringView kind);
@@ -57,7 +57,7 @@ public:
     Recording(model::HairGroup grown, const sim::GroupSettings& settings);
 
     [[nodiscard]] model::Preset preset(const QString& name) const;
-    /// So many were asked for.
+    /// Number of actions asked for.
     [[nodiscard]] int actions() const { return m_actions; }
     [[nodiscard]] model::Document& document() { return m_document; }
 
@@ -77,19 +77,19 @@ public:
     /// Over the middle of the head, from the forehead to the nape, or to one side of it.
     [[nodiscard]] Points overHead(float leftM, float fromForwardM, float toForwardM) const;
 
-    [[nodiscard]] PaintValue length(float lengthM) const; ///< Of the length map.
+    [[nodiscard]] PaintValue length(float lengthM) const; ///< The length map's value of that length.
 
     void setMirror(bool mirror) { m_mirror = mirror; }
     void setLayerOpacity(MapKind map, float opacity);
-    /// The one that is painted on from now on.
+    /// Adds a layer, which is painted on from now on.
     void addLayer(MapKind map, model::BlendMode blend);
 
-    void fill(MapKind map, const PaintValue& value); ///< Everywhere.
+    void fill(MapKind map, const PaintValue& value); ///< Fills all of the map.
     void brush(MapKind map, const PaintValue& value, const Ring& ring, const Points& points);
     void erase(MapKind map, const Ring& ring, const Points& points);
     /// A soft stroke along each height, wide enough to lead from one value to the next.
     void bands(MapKind map, const std::vector<Band>& bands, float fromDegrees = 0.0F, float toDegrees = 180.0F);
-    /// What a freehand line goes around, filled.
+    /// Fills what a freehand line goes around.
     void polygon(MapKind map, const PaintValue& value, const Points& outline);
     /// A filled rectangle on the layout.
     void rectangle(MapKind map, const PaintValue& value, glm::vec2 fromUv, glm::vec2 toUv);
@@ -108,7 +108,7 @@ private:
     [[nodiscard]] model::ToolContext context(MapKind map);
     [[nodiscard]] model::Tool& tool(model::ToolId id);
     void push(model::CommandPtr command);
-    void tell(model::ToolId id, MapKind map); ///< Of the steps.
+    void tell(model::ToolId id, MapKind map); ///< Adds a use of that tool to the steps.
     void use(const Ring& ring);
     void click(model::ToolId id, MapKind map, const sim::SurfacePoint& point);
     /// From point to point along a smooth curve over the skin, as a hand would.

@@ -7,12 +7,12 @@
 
 namespace hairpaint::presets {
 
-/// Of the braid map's palette.
+/// Entries of the braid map's palette.
 inline constexpr int kPlait = 1;
 inline constexpr int kLoc = 3;
 inline constexpr int kFishtail = 6;
 inline constexpr int kCornrow = 7;
-/// Of the accessory map's.
+/// Entries of the accessory map's palette.
 inline constexpr int kPonytail = 1;
 inline constexpr int kBun = 2;
 
@@ -48,10 +48,10 @@ void combBeforeEars(Recording& user);
 /// A fringe, combed over the forehead and cut there.
 struct Fringe
 {
-    float lengthM = 0.055F; ///< Of hair at the hairline.
-    float depthM = 0.035F;  ///< From there back,
-    float halfM = 0.036F;   ///< to either side.
-    float longerM = 0.0F;   ///< At its sides.
+    float lengthM = 0.055F; ///< Length of the hair at the hairline.
+    float depthM = 0.035F;  ///< Depth of the fringe from there back.
+    float halfM = 0.036F;   ///< Half its width.
+    float longerM = 0.0F;   ///< How much longer the hair at its sides is.
     float flatness = 0.85F;
 };
 void cutFringe(Recording& user, const Fringe& fringe);

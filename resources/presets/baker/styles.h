@@ -18,7 +18,7 @@ struct Style
     QStringList tags;
     sim::GroupSettings settings;
     void (*record)(Recording& user);
-    const char* kind = "Scalp"; ///< Of the hair that it is made of.
+    const char* kind = "Scalp"; ///< Hair kind that it is made of, see grownHair().
 };
 
 [[nodiscard]] Style longStraight();

@@ -13,7 +13,7 @@ namespace {
 /// A ring around the crown, so far from it over the skin, that wavers.
 Recording::Points aroundWhorl(const Recording& user, float fromCrownM, int number)
 {
-    constexpr float kRadiusM = 0.095F; // Of the head.
+    constexpr float kRadiusM = 0.095F; // Radius of the head.
     constexpr float kWaverM = 0.0012F;
     constexpr int kSteps = 48;
     const glm::vec3 centreHd(0.0F, 0.02F, -0.015F);

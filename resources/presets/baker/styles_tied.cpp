@@ -12,7 +12,7 @@ namespace {
 
 using model::WornKind;
 
-/// Of hair that is drawn taut to its tie: what strays is little.
+/// Settings for hair that is drawn taut to its tie: few hairs stray.
 sim::GroupSettings tautSettings(float greatestLengthM)
 {
     sim::GroupSettings settings = settingsOf(greatestLengthM, 0.05F, 0.006F);

@@ -72,7 +72,8 @@ public:
     }
 
 private:
-    /// Of the spring that carries the coat. It yields to more than kLoftYieldM of a step: wind bends hair at its roots.
+    /// Strength at node i of the spring that carries the coat. It yields where a step would move the node by more than
+    /// kLoftYieldM, so that wind bends hair at its roots.
     [[nodiscard]] HWY_INLINE Lanes loftAt(int i, const Lanes3& free) const
     {
         const Lanes near = most(1.0F - m_perLoft * static_cast<float>(i), 0.0F);
@@ -84,7 +85,7 @@ private:
     int m_last;
     Lanes m_bend, m_held;
     Lanes m_loft;
-    bool m_hasLoft; ///< Any of the strands.
+    bool m_hasLoft; ///< Whether any strand's loft is above 0.
     Lanes m_perLoft;
     Lanes m_pivot, m_secondPivot;  ///< Inverses of the last two pivots.
     Lanes m_beside;                ///< The last row's own term beside the diagonal.

@@ -15,14 +15,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
 
-/// What four neighbours hold: those at the lower x, and by how much more the others do.
+/// Values of four neighbours: those at the lower x, and the differences to those at the higher x.
 struct CellFace
 {
-    Lanes low, rise;           ///< At the lower y,
-    Lanes lowAbove, riseAbove; ///< at the higher.
+    Lanes low, rise;           ///< At the lower y.
+    Lanes lowAbove, riseAbove; ///< At the higher y.
 };
 
-/// Of one 32-bit load a lane; the grid is padded at its end, so that it stays inside.
+/// Reads four neighbours by one 32-bit load a lane; the grid is padded at its end, so that a load there stays inside.
 HWY_INLINE CellFace cellFace(const DistanceGrid::Pair* HWY_RESTRICT pairs, Ints offset)
 {
     static_assert(std::endian::native == std::endian::little && sizeof(DistanceGrid::Pair) == 2);

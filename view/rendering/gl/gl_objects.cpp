@@ -105,7 +105,7 @@ std::size_t Buffer::writeChanged(const void* data, std::size_t bytes, const void
     const auto* now = static_cast<const std::byte*>(data);
     const auto* was = static_cast<const std::byte*>(before);
     std::size_t written = 0;
-    std::size_t from = 0; // Of the run of blocks that differ.
+    std::size_t from = 0; // Begin of the run of blocks that differ.
     for (std::size_t at = 0; at < bytes; at += kBlock) {
         const std::size_t length = std::min(kBlock, bytes - at);
         if (std::memcmp(now + at, was + at, length) != 0)
@@ -128,7 +128,7 @@ void Buffer::read(void* data, std::size_t bytes) const
 
 std::size_t mostBytesOfABuffer()
 {
-    constexpr GLint64 kLeast = 1 << 24; // That OpenGL promises.
+    constexpr GLint64 kLeast = 1 << 24; // The least size that OpenGL guarantees.
     GLint64 bytes = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
     return static_cast<std::size_t>(std::max(bytes, kLeast));

@@ -59,7 +59,7 @@ public:
     /// nothing. At least 16 bytes, so that it can always be bound. Where OpenGL has no memory its capacity is 0, and
     /// the next call tries again.
     bool reserve(std::size_t bytes);
-    /// Room for at least `bytes`, and those written.
+    /// Reserves at least `bytes` and writes them.
     void assign(const void* data, std::size_t bytes);
     void write(std::size_t offset, const void* data, std::size_t bytes);
     /// Writes the blocks of `data` that differ from `before`, which the buffer holds; all of it where that has another
@@ -79,7 +79,7 @@ private:
     std::size_t m_capacity = 0;
 };
 
-/// Of a buffer that shaders read or write.
+/// Greatest size of a buffer that shaders read or write, bytes.
 [[nodiscard]] std::size_t mostBytesOfABuffer();
 
 /// A texture without mipmaps, made anew when its size or format differs.

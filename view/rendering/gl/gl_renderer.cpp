@@ -36,9 +36,9 @@ bool takeErrors()
 }
 
 constexpr int kAllRows = 1 << 16;
-constexpr int kRowsAStep = 4; ///< Of tiles.
+constexpr int kRowsAStep = 4; ///< Rows of tiles that a step draws.
 
-/// Until all that was handed over is drawn; no longer than a second, should the driver hang.
+/// Waits until all commands handed over are drawn; no longer than a second, should the driver hang.
 void awaitDrawing()
 {
     constexpr GLuint64 kMostNs = 1'000'000'000;
@@ -56,15 +56,15 @@ double millisecondsSince(Clock::time_point begin)
 
 } // namespace
 
-/// What is known of a picture that is being drawn, besides what lies in the passes.
+/// The state of a picture that is being drawn, besides the passes' own.
 struct GlRenderer::Picture
 {
     Target target;
     FrameConstants constants;
     HairPass::Report report;
-    bool binned = false;  ///< Its strands lie in their tiles.
-    double spentMs = 0.0; ///< In steps.
-    bool complete = true; ///< So far.
+    bool binned = false;  ///< Its segments are sorted into tiles.
+    double spentMs = 0.0; ///< Sum of its steps' times.
+    bool complete = true; ///< No part was given up so far.
 };
 
 struct GlRenderer::State
@@ -80,16 +80,16 @@ struct GlRenderer::State
     SkinShade shade;
     RingPass rings;
     std::array<Program, 3> resolve; ///< For 1, 2 and 4 samples a pixel.
-    Program smooth;                 ///< Instead of more samples.
+    Program smooth;                 ///< Smooths edges instead of more samples.
     VertexArray noVertices;
     Buffer constants;
     Framebuffer framebuffer;
     Texture rough; ///< The picture of one sample a pixel, not smoothed yet.
     Texture picture;
-    glm::ivec2 size{0};              ///< Of the last finished picture, in pixels.
-    std::optional<Picture> underWay; ///< Begun, not finished yet.
-    FrameTimer timer;                ///< Of pictures drawn at once.
-    bool readCounts = false;         ///< Whether the next read() is what the last picture's time runs to.
+    glm::ivec2 size{0};              ///< Size of the last finished picture, in pixels.
+    std::optional<Picture> underWay; ///< The picture that was begun and is not finished.
+    FrameTimer timer;                ///< Times the pictures drawn at once.
+    bool readCounts = false;         ///< Whether the last picture's time ends with the next read().
 };
 
 GlRenderer::GlRenderer() : m_state(std::make_unique<State>()) {}
@@ -176,7 +176,7 @@ bool GlRenderer::step(double budgetMs)
     if (!state.underWay)
         return true;
     const Clock::time_point began = Clock::now();
-    takeErrors(); // Somebody else's.
+    takeErrors(); // Drops the errors of other users of the context.
     const StateGuard guard;
     state.constants.bindUniform(0);
     Picture& picture = *state.underWay;
@@ -215,7 +215,7 @@ bool GlRenderer::drawPatiently(const Scene& scene, const Quality& quality, int w
     return true;
 }
 
-/// The next piece of the hair; false where none is left.
+/// Draws the next piece of the hair; false where none is left.
 bool GlRenderer::drawPiece(Picture& picture, int rows)
 {
     State& state = *m_state;
@@ -231,13 +231,13 @@ bool GlRenderer::drawPiece(Picture& picture, int rows)
     return state.tiles.layRows(state.hair->projected(), state.head->depth(), state.head->worn(), rows);
 }
 
-/// Draws the head and readies the hair's pieces, of `piecePoints` at most.
+/// Draws the head and prepares the hair's pieces, of `piecePoints` at most.
 GlRenderer::Picture GlRenderer::prepare(const Scene& scene, const Quality& quality, int width, int height,
                                         std::uint32_t piecePoints)
 {
     State& state = *m_state;
     state.underWay.reset();
-    takeErrors(); // Somebody else's.
+    takeErrors(); // Drops the errors of other users of the context.
     Picture picture;
     picture.target.width = std::clamp(width, 1, 8192);
     picture.target.height = std::clamp(height, 1, 8192);
@@ -256,7 +256,7 @@ GlRenderer::Picture GlRenderer::prepare(const Scene& scene, const Quality& quali
     return picture;
 }
 
-/// Makes it the last finished picture.
+/// Puts head and hair together and makes the result the last finished picture.
 void GlRenderer::resolve(const Picture& picture)
 {
     State& state = *m_state;

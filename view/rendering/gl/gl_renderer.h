@@ -35,9 +35,10 @@ public:
     /// Copies the last finished picture to the framebuffer object bound by the caller.
     void blitTo(unsigned framebuffer, int width, int height);
     void read(std::vector<std::uint8_t>& pixels) override;
-    /// Of the last finished picture. The milliseconds of one drawn at once run to the end of the first read(); where it
-    /// was not read they are the GPU's own, of the newest such picture it has told of, or the time that handing over
-    /// took where that is longer. Those of a picture drawn in steps are the steps' own, and no other's contain them.
+    /// Statistics of the last finished picture. The milliseconds of a picture drawn at once run to the end of the first
+    /// read(). Where it was not read they are the GPU's time for the newest such picture that it has reported, or the
+    /// time that handing over the commands took where that is longer. The milliseconds of a picture drawn in steps are
+    /// the sum of its steps', which count for no other picture.
     [[nodiscard]] const FrameStatistics& statistics() const override;
     /// Whether the driver has reset itself, and what was drawn into this context is gone. Where the context was not
     /// asked to tell, never.

@@ -25,7 +25,7 @@ public:
         std::size_t hairs = 0;
         std::size_t segments = 0;
         std::size_t uploadedBytes = 0;
-        float detail = 1.0F; ///< As FrameStatistics has it.
+        float detail = 1.0F; ///< As FrameStatistics::detail.
     };
     /// Sends what differs from the frame before; null shows no hair. `fine`: a picture to be kept.
     Report upload(const std::shared_ptr<const sim::StrandFrame>& frame, const FrameConstants& constants, float detail,
@@ -61,8 +61,8 @@ private:
     /// How a group is drawn in this picture.
     struct Fractions
     {
-        float fraction; ///< Of its hairs that are drawn, as much wider,
-        float deep;     ///< and of those where others hide them.
+        float fraction; ///< Fraction of its hairs that are drawn; they are widened to cover as much.
+        float deep;     ///< Fraction of those that is left where others hide them, see deepFraction().
     };
     Report uploadGroups(const std::shared_ptr<const sim::StrandFrame>& frame, const FrameConstants& constants,
                         float detail, bool fine);

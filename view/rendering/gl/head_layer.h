@@ -38,15 +38,15 @@ private:
         int indexCount = 0;
         bool closed = false; ///< The inside is never seen.
         ScalpTint tint;
-        Buffer tints; ///< A texel a vertex.
+        Buffer tints; ///< [vertices] ScalpTint::Texel.
         std::shared_ptr<const sim::MeshTexture> shown;
         Texture texture; ///< `shown`.
-        /// `open`: known to be so.
+        /// `open`: the mesh is known to be open.
         void upload(const std::shared_ptr<const sim::HeadMesh>& head, bool open = false);
         void uploadTexture(const std::shared_ptr<const sim::MeshTexture>& picture);
         void bindTexture(const Program& program, float leastAlpha) const; ///< `shown`, for the program in use.
         void uploadTint(const ScalpTintSources& sources);
-        void draw() const; ///< By the program in use.
+        void draw() const; ///< Draws with the program in use.
     };
 
     void drawSolids();
@@ -56,7 +56,7 @@ private:
     CardLayer m_cardLayer;
     Mesh m_fine;
     Mesh m_coarse;
-    std::vector<Mesh> m_solidMeshes; ///< Of m_solids, each once.
+    std::vector<Mesh> m_solidMeshes; ///< The meshes of m_solids, each once.
     Framebuffer m_framebuffer;
     Texture m_colour;
     Texture m_depth;

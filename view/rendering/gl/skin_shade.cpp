@@ -6,9 +6,9 @@
 namespace hairpaint::rendering {
 namespace {
 
-constexpr int kCoarseCell = 4;
-constexpr int kFineCell = 2;       ///< Of pictures with several samples a pixel.
-constexpr int kShadeWorkgroup = 8; ///< In each direction.
+constexpr int kCoarseCell = 4;     ///< Pixels across a cell of the shadow.
+constexpr int kFineCell = 2;       ///< The same in pictures with several samples a pixel.
+constexpr int kShadeWorkgroup = 8; ///< Size of a workgroup in each direction.
 
 unsigned groups(int cells)
 {

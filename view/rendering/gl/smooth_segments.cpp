@@ -10,7 +10,7 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr std::size_t kBlocksMeasured = 64;
-constexpr float kMostBends = 0.98F; ///< Of those measured, the fraction that is drawn round enough.
+constexpr float kMostBends = 0.98F; ///< Fraction of the measured bends that are drawn round enough.
 constexpr float kNearestM = 0.05F;
 constexpr std::array kSteps{1, 2, 3, 4, 6, 8, 12, 16};
 
@@ -36,7 +36,7 @@ SegmentsWanted segmentsWanted(const sim::GroupFrame& group, const FrameConstants
     group.forEachPositionedBlock([&](std::size_t) { ++blocks; });
     const std::size_t step = std::max<std::size_t>(1, blocks / kBlocksMeasured);
     std::size_t number = 0;
-    std::vector<float> bends; // Samples between a node and the middle of its neighbours, twice.
+    std::vector<float> bends; // Twice the distance of a node from the middle of its neighbours, samples.
     float nearest = 0.0F;
     group.forEachPositionedBlock([&](std::size_t block) {
         if (number++ % step != 0)

@@ -10,10 +10,10 @@ namespace {
 
 constexpr int kTileSp = 8; ///< As strand_tile.comp has it.
 constexpr std::size_t kBinWorkgroup = 64;
-constexpr std::size_t kMostWorkgroups = 65535; ///< No more are promised in one direction.
+constexpr std::size_t kMostWorkgroups = 65535; ///< Greatest number in one direction that OpenGL guarantees.
 constexpr std::size_t kEntryBytes = 2 * sizeof(std::uint32_t);
-constexpr float kMovingOpaque = 0.06F;
-constexpr float kFineOpaque = 0.015F; ///< Of pictures with several samples a pixel.
+constexpr float kMovingOpaque = 0.06F; ///< A sample counts as opaque where less than this is left to see through.
+constexpr float kFineOpaque = 0.015F;  ///< The same in pictures with several samples a pixel.
 
 } // namespace
 

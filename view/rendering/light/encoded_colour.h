@@ -3,7 +3,7 @@
 
 namespace hairpaint::rendering {
 
-/// Of 0..1, within 0.002 of the curve, and the same on every machine. T: float, or a vector of them.
+/// `encoded` in 0..1; within 0.002 of the sRGB curve, and the same on every machine. T: float, or a vector of them.
 template<typename T>
 [[nodiscard]] T linearOfEncoded(T encoded)
 {

@@ -22,7 +22,7 @@ enum class EnvironmentKind : std::uint8_t
 };
 inline constexpr std::size_t kEnvironmentCount = 5;
 
-/// Of mean brightness 1.
+/// The irradiance of built-in surroundings; its mean brightness is 1.
 [[nodiscard]] const Irradiance& irradianceOf(EnvironmentKind surroundings);
 
 } // namespace hairpaint::rendering

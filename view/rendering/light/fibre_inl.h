@@ -11,14 +11,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
-/// Of the light and the eye, both seen from the fibre; inclinations are taken from the plane across it.
+/// Angles of the light and the eye, both seen from the fibre; inclinations are measured from the plane across it.
 template<class F>
 struct FibreAngles
 {
     F sinI, cosI; ///< Inclination of the light.
     F sinO, cosO; ///< Inclination of the eye.
-    F cosPhi;     ///< Azimuth between them.
-    F cosD;       ///< Half the difference of the inclinations; 0 only for a ray along the fibre.
+    F cosPhi;     ///< Cosine of the azimuth between them.
+    F cosD;       ///< Cosine of half the difference of the inclinations; 0 only for a ray along the fibre.
 };
 
 template<class F>
@@ -27,7 +27,7 @@ HWY_INLINE F cosineOf(F sine)
     return root(most(F(1.0F) - sine * sine, F(1e-6F)));
 }
 
-/// Of unit vectors: tangent . light, tangent . eye with its cosine, light . eye.
+/// From dot products of unit vectors: tangent . light, tangent . eye with its cosine, light . eye.
 template<class F>
 HWY_INLINE FibreAngles<F> fibreAngles(F sinI, F sinO, F cosO, F lightDotEye)
 {

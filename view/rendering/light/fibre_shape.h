@@ -5,7 +5,7 @@
 
 namespace hairpaint::rendering {
 
-inline constexpr float kScaleTiltRad = 0.045F;        ///< Of the cuticle's scales.
+inline constexpr float kScaleTiltRad = 0.045F;        ///< Tilt of the cuticle's scales.
 inline constexpr float kCosinePowerPeak = 0.8103764F; ///< 1 / integral of cos^16(phi/2) over a turn.
 
 /// Lobes R, TT, TRT, along twice the sine of the half angle: peak exp2(exponent (x - shift)^2).

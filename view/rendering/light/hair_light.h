@@ -7,7 +7,7 @@
 
 namespace hairpaint::rendering {
 
-inline constexpr float kGridUnits = 1024.0F; ///< That a voxel's opacity is counted in; 64 and more is 64.
+inline constexpr float kGridUnits = 1024.0F; ///< Units of a voxel's opacity of 1; opacities over 64 are stored as 64.
 
 /// Wo, m; colours linear.
 struct HairLighting
@@ -22,10 +22,11 @@ struct HairLighting
     ScatteringModel scattering = ScatteringModel::Marschner;
     float shine = 0.5F; ///< 0..1; a natural hair's is 0.5.
     FibreShape shape = fibreShape(0.3F);
-    float highlightExponent = 182.0F; ///< Of the models that have one.
+    /// Exponent of the highlight in Kajiya and Kay's model and that of illuminated lines.
+    float highlightExponent = 182.0F;
 };
 
-/// As wide a highlight as the fibre's shape has.
+/// Exponent of a highlight that is as wide as the fibre shape's.
 [[nodiscard]] constexpr float highlightExponent(float roughness)
 {
     const float deviation = 0.02F + 0.18F * roughness;

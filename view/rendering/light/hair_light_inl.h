@@ -23,14 +23,14 @@ struct HairPoint
 {
     Triple<F> position;
     Triple<F> tangent; ///< Unit, toward the tip.
-    Triple<F> colour;  ///< Of a coat of such hair; linear, its own lightness in it already.
-    Triple<F> depth;   ///< fibreDepth of it.
+    Triple<F> colour;  ///< Colour of a coat of such hair; linear, with the hair's own lightness in it.
+    Triple<F> depth;   ///< fibreDepth() of `colour`.
     F turned;          ///< turnedBy() of this hair.
     F towardKey;       ///< Area of hair between it and the light, the eye, the rim light, over the area that it covers.
     F towardEye;
     F towardRim;
-    F shine = F(1.0F);     ///< This hair's own, of the group's.
-    F sharpness = F(1.0F); ///< How many times as sharp as the group's its highlights are.
+    F shine = F(1.0F);     ///< This hair's factor on the group's shine.
+    F sharpness = F(1.0F); ///< Sharpness of its highlights over the group's.
 };
 
 /// By how much a fibre's lobes stand elsewhere than those of its neighbours, as twice the half angle's sine: fibres of
@@ -49,11 +49,11 @@ HWY_INLINE F turnedBy(F variation)
 template<class F>
 HWY_INLINE F drawnGloss(F white, F cosPhi)
 {
-    constexpr float kBound = 6.0F; ///< Over what grazes: from its inverse on a highlight hardly grows.
+    constexpr float kBound = 6.0F; ///< Where light and eye are at right angles the white stays below 1 / kBound.
     return white / (F(1.0F) + white * (F(1.0F) - cosPhi) * F(kBound));
 }
 
-/// What of a far light the head lets by: an umbra of its size with a soft edge.
+/// Fraction of a far light that passes the head: an umbra of its size with a soft edge.
 template<class F>
 HWY_INLINE F besideHead(const Triple<F>& fromHead, float radiusM, const Triple<F>& toward)
 {
@@ -69,8 +69,8 @@ template<class F>
 struct CoatPoint
 {
     Triple<F> view;     ///< Toward the eye.
-    Triple<F> fromHead; ///< m.
-    Triple<F> normal;   ///< Of the coat, as the hair across it has it.
+    Triple<F> fromHead; ///< From the head's middle, m.
+    Triple<F> normal;   ///< Normal of the coat, unit: halfway from the head's to the one across the hair.
     F sinO, cosO;
     F open; ///< 0..1: nothing of the head stands right behind it, so that light goes on through it to the eye.
 };
@@ -87,7 +87,7 @@ HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, co
     constexpr float kPi = 3.14159265F;
     const Triple<F> toward = tripleOf<F>(lamp.towardWo);
     const FibreAngles<F> at = fibreAngles(dot(point.tangent, toward), coat.sinO, coat.cosO, dot(toward, coat.view));
-    constexpr float kForward = 0.5F; ///< Of what goes on past one hair, that meets no other right after.
+    constexpr float kForward = 0.5F; ///< Fraction of the light past one hair that meets no other right after.
     const F shine = F(given.shine) * point.shine;
     // Softly around the coat, since light scatters on within it; what shines through its thin parts is there too.
     const F wrap = clamped(dot(coat.normal, toward) * F(0.62F) + F(0.38F), 0.0F, 1.0F);

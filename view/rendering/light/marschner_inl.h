@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
 inline constexpr float kLeastExponent = 20.0F;          ///< Keeps products away from denormal numbers, which are slow.
-inline constexpr float kNormalReflectance = 0.0465206F; ///< Of refractive index 1.55.
+inline constexpr float kNormalReflectance = 0.0465206F; ///< For a refractive index of 1.55.
 
 /// Radiance for an irradiance of 1 across the beam, 1/sr.
 template<class F>

@@ -7,7 +7,7 @@
 
 namespace hairpaint::rendering {
 
-/// Of one frame, as cards.vert has it. `constants` outlive it. Any thread.
+/// The light of one frame, computed as in cards.vert. `constants` must outlive it. Any thread.
 class CardLight
 {
 public:
@@ -17,7 +17,7 @@ public:
 
 private:
     const FrameConstants& m_constants;
-    HairLighting m_lighting; ///< But for shine and shape, which are the corner's.
+    HairLighting m_lighting; ///< Its shine and shape are replaced by the corner's.
 };
 
 } // namespace hairpaint::rendering

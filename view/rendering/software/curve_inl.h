@@ -14,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
-inline constexpr float kNodeTolerance = 1e-3F; ///< Of numbers of nodes.
+inline constexpr float kNodeTolerance = 1e-3F; ///< Tolerance of comparisons with a node's number.
 
 /// The formula for as many strands as there are lanes.
 namespace of_lanes {

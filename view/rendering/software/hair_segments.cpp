@@ -13,7 +13,7 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr std::size_t kWantedBatches = 128;
-constexpr std::size_t kLeastBatch = 256; ///< Strands.
+constexpr std::size_t kLeastBatch = 256; ///< Least number of strands in a batch.
 constexpr std::size_t kMostBatch = 4096;
 
 constexpr DepthOfCoat kFineDepth{
@@ -21,7 +21,7 @@ constexpr DepthOfCoat kFineDepth{
 constexpr DepthOfCoat kMovingDepth{
     .undrawnCoverings = 4.5F, .inEveryColumn = false, .widest = 1.67F, .leastFraction = 0.3F};
 
-/// What threads keep from block to block.
+/// Memory that a thread keeps from block to block.
 struct BlockScratch
 {
     StrandBlock block;
@@ -38,9 +38,9 @@ BlockScratch& blockScratch()
 /// False where surely nothing of the block lies in the rows of tiles that are drawn.
 bool mayTouchRows(const StrandBlock& block, const StrandView& view, const TileGrid& tiles)
 {
-    constexpr float kOvershoot = 0.25F;   ///< Of the nodes' distances: how far curves may lie beyond them at most.
-    constexpr float kMostRadii = 2.5F;    ///< That a curl or a braid is wide on each side.
-    constexpr float kNearestSeenM = 0.1F; ///< Closer by all is drawn.
+    constexpr float kOvershoot = 0.25F;   ///< How far curves may lie beyond the nodes, over the nodes' extent.
+    constexpr float kMostRadii = 2.5F;    ///< Greatest width of a curl or a braid on each side, in its radii.
+    constexpr float kNearestSeenM = 0.1F; ///< Blocks with a node that is nearer are always drawn.
     if (tiles.rows() == tiles.up)
         return true;
     float lowest = std::numeric_limits<float>::max();
@@ -76,14 +76,14 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
     m_pieces.clear();
     m_batchCount = 0;
     m_hairs = 0;
-    m_detail = 1.0F; // The first hair there will be is to come whole.
+    m_detail = 1.0F; // Without hair: the first that comes is drawn whole.
     for (SegmentBatch& batch : m_batches)
         batch.clear();
     m_usedBytes = 0;
     m_turnWoFromHd = glm::mat3(constants.woFromHd);
     const DepthOfCoat& depth = fine ? kFineDepth : kMovingDepth;
     m_depth = depth;
-    // As far as the shaders' 4095 keys reach.
+    // Depths reach as far as the shaders' 4095 keys.
     constexpr float kKeys = 4095.0F;
     constexpr float kDepths = 65535.0F;
     m_nearestM = constants.depthRange.x;
@@ -175,7 +175,7 @@ void HairSegments::drawBatch(std::size_t number)
     const Group& group = m_groups[piece.group];
     SegmentBatch& batch = m_batches[number];
     BlockScratch& scratch = blockScratch();
-    scratch.segments.foundCount = 0; // Memory may have run out in the middle of another.
+    scratch.segments.foundCount = 0; // An earlier batch may have been left in the middle for want of memory.
     std::size_t all = 0;
     for (std::size_t first = piece.first; first < piece.end; first += kBlockLanes) {
         const std::size_t lanes = std::min(kBlockLanes, piece.end - first);

@@ -25,10 +25,11 @@ public:
     /// hidden is drawn by fewer strands.
     void begin(const std::shared_ptr<const sim::StrandFrame>& frame, const FrameConstants& constants, float detail,
                bool fine);
-    /// How many batches there are; each can be drawn on its own, on any thread.
+    /// Number of batches; each can be drawn on its own, on any thread.
     [[nodiscard]] std::size_t batchCount() const { return m_batchCount; }
     void drawBatch(std::size_t batch);
-    /// Its batches were too many bytes for one go, so that some are empty: fewer rows are to be drawn at once.
+    /// Whether the batches would take too many bytes at once, so that some were left empty: fewer rows must be drawn at
+    /// once.
     [[nodiscard]] bool isTooMuch() const { return m_usedBytes > m_mostBatchBytes && m_tiles.rows() > 1; }
     /// From now on these rows of tiles are drawn; the batches are to be drawn anew.
     void setRows(int firstUp, int endUp);
@@ -36,11 +37,11 @@ public:
     [[nodiscard]] const OpacityGrids& grids() const { return m_grids; }
     [[nodiscard]] const TileGrid& tiles() const { return m_tiles; }
     [[nodiscard]] std::size_t hairs() const { return m_hairs; }
-    /// Hairs below it are drawn, where the frame has positions of them.
+    /// Hairs whose StrandStyle::detail is below it are drawn, where the frame has their positions.
     [[nodiscard]] float detail() const { return m_detail; }
-    /// Of the batches drawn.
+    /// Number of segments in the batches drawn.
     [[nodiscard]] std::size_t segmentCount() const;
-    /// How deep in other hair nothing was drawn.
+    /// How hair that lies behind other hair is drawn.
     [[nodiscard]] const DepthOfCoat& depth() const { return m_depth; }
     [[nodiscard]] float nearestM() const { return m_nearestM; }
     [[nodiscard]] float depthsPerM() const { return m_depthsPerM; }
@@ -51,13 +52,13 @@ private:
         const sim::GroupFrame* frame;
         const StrandList* list;
         StrandView view;
-        float fraction; ///< Of its hairs that are drawn.
-        float widthSp;  ///< Of one of them, samples.
+        float fraction; ///< Fraction of its hairs that are drawn.
+        float widthSp;  ///< Width of one of its hairs, samples.
     };
     struct Piece
     {
         std::size_t group;
-        std::size_t first; ///< Strand of its list.
+        std::size_t first; ///< First strand in the group's list.
         std::size_t end;
     };
 
@@ -75,7 +76,7 @@ private:
     TileGrid m_tiles;
     std::size_t m_mostBytes;
     std::size_t m_mostBatchBytes = 0;
-    std::atomic<std::size_t> m_usedBytes = 0; ///< Of the batches drawn.
+    std::atomic<std::size_t> m_usedBytes = 0; ///< Bytes of the batches drawn.
     DepthOfCoat m_depth{};
     float m_nearestM = 0.0F;
     float m_depthsPerM = 0.0F;

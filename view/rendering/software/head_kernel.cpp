@@ -41,7 +41,7 @@ HWY_INLINE Side sideOf(const HeadVertex& from, const HeadVertex& to, float turn,
     return {a, b, -(a * (from.x - x) + b * (from.y - y))};
 }
 
-/// Of sRGB, linear.
+/// Linear value of an sRGB byte.
 float linearOf(std::uint8_t encoded)
 {
     const float x = static_cast<float>(encoded) / 255.0F;
@@ -59,7 +59,7 @@ const std::array<float, 256>& linearTable()
     return table;
 }
 
-/// Between its four texels, linear, with alpha; it repeats.
+/// Bilinear sample of a texture that repeats: linear colour, and alpha.
 glm::vec4 texelAt(const sim::MeshTexture& texture, float u, float v)
 {
     const auto width = static_cast<float>(texture.width);
@@ -89,8 +89,8 @@ glm::vec4 texelAt(const sim::MeshTexture& texture, float u, float v)
 
 struct BandScratch
 {
-    std::vector<std::int32_t> triangle; ///< Nearest at each sample, of the band's numbers.
-    std::vector<std::uint16_t> cover;   ///< Bit per point.
+    std::vector<std::int32_t> triangle; ///< Number of the nearest triangle at each sample.
+    std::vector<std::uint16_t> cover;   ///< Points of each sample that are covered, a bit a point.
 };
 
 HWY_INLINE void rasterTriangle(const HeadBand& band, std::uint32_t number, BandScratch& scratch)
@@ -221,7 +221,7 @@ HWY_INLINE void lightSamples(const HeadBand& band, const std::int32_t* xs, const
             for (int c = 0; c < 3; ++c)
                 tint[c][i] = texel[c] * band.textureColour[c];
         }
-        point.isTinted = true; // What tinted it before lies over the picture.
+        point.isTinted = true; // The scalp's tint lies over the texture.
         point.tint = point.tint + Triple<Lanes>{Lanes(hn::Load(d, tint[0])), Lanes(hn::Load(d, tint[1])),
                                                 Lanes(hn::Load(d, tint[2]))} *
                                       point.untinted;
@@ -285,7 +285,7 @@ void drawBand(const HeadBand& band)
             }
         }
         if (held > 0) {
-            // The rest of the lanes draw the last sample again.
+            // Unused lanes repeat the last sample.
             for (std::size_t i = held; i < hn::Lanes(Tag()); ++i) {
                 xs[i] = xs[held - 1];
                 numbers[i] = numbers[held - 1];
@@ -295,7 +295,7 @@ void drawBand(const HeadBand& band)
     }
 }
 
-/// Whether there is head in some cells of a row.
+/// Whether any of `count` cells of a row shows the head.
 HWY_INLINE bool isHeadIn(const ShadeTask& task, int row, int cell, int count)
 {
     const int x0 = cell * task.cellSp.x;
@@ -360,7 +360,7 @@ void shadeRows(const ShadeTask& task, int begin, int end)
             // The position at that distance on the ray through the sample: through the far plane, scaled.
             const Lanes px = loaded(atX) * Lanes(2.0F / task.sizeSp.x) - Lanes(1.0F);
             const Lanes py = loaded(atY) * Lanes(2.0F / task.sizeSp.y) - Lanes(1.0F);
-            // Hair that lies so deep was left out: what is left to see through in front of it shows nothing behind.
+            // Hair behind so many coverings was not drawn; gaps in front of it must not show what lies behind.
             const float aLittle = 1.5F / static_cast<float>(task.gridSide);
             const OpacityTwice hair = opacityTwice(task.opacity[1], task.gridSide,
                                                    inEyeGrid(task.eyeGrid, px, py, loaded(distance), aLittle));
@@ -385,7 +385,7 @@ void shadeRows(const ShadeTask& task, int begin, int end)
                 lightThrough(task.opacity[0], task.gridSide, inGrid(task.gridFromWo, wo, 0.0F), 0.6F);
             const Lanes toEye = lightThrough(task.opacity[1], task.gridSide,
                                              inEyeGrid(task.eyeGrid, px, py, loaded(distance), 0.0F), 2.0F);
-            // The light falls on the side of the head that is turned toward it; the other has no shadow to get.
+            // Only the side of the head that is turned toward the light gets shadow.
             const Lanes sideX = wo.x - Lanes(task.headWo.x);
             const Lanes sideZ = wo.z - Lanes(task.headWo.z);
             const Lanes lit = smoothStep(-0.3F, 0.2F,

@@ -16,14 +16,14 @@ namespace hairpaint::rendering {
 /// A vertex as the picture has it. The kernel gathers its floats by number.
 struct HeadVertex
 {
-    float x = 0.0F, y = 0.0F; ///< Samples.
+    float x = 0.0F, y = 0.0F; ///< Position in the picture, samples.
     float perDistance = 0.0F; ///< 1/m; 0 where it lies behind the eye.
     glm::vec3 positionWo{0.0F};
     glm::vec3 normalWo{0.0F};
     glm::vec3 positionHd{0.0F};
     float sky = 1.0F, lips = 0.0F, lids = 0.0F, blush = 0.0F; ///< 0..1
     glm::vec4 tint{0.0F};                                     ///< See ScalpTint::Texel.
-    glm::vec2 uv{0.0F};                                       ///< Where there is a texture.
+    glm::vec2 uv{0.0F};                                       ///< Read only where there is a texture.
 };
 static_assert(sizeof(HeadVertex) == 22 * sizeof(float));
 
@@ -34,16 +34,16 @@ struct HeadBand
 {
     std::span<const HeadVertex> vertices;
     std::span<const glm::uvec3> triangles;
-    std::span<const std::uint32_t> numbers; ///< Of the triangles that may touch it, ascending.
+    std::span<const std::uint32_t> numbers; ///< Numbers of the triangles that may touch the band, ascending.
     int width = 0;
     int firstRow = 0;
     int endRow = 0;
-    float samplesPerM = 0.0F; ///< That a metre covers at a distance of 1 m.
+    float samplesPerM = 0.0F; ///< Samples that a metre covers at a distance of 1 m.
     SkinLighting lighting;
-    bool isTinted = false;                     ///< Whether any vertex is.
+    bool isTinted = false;                     ///< Whether any vertex has a tint.
     const sim::MeshTexture* texture = nullptr; ///< Null: none.
     glm::vec3 textureColour{1.0F};             ///< Linear, times the texture.
-    bool isMasked = false;                     ///< By the texture's alpha.
+    bool isMasked = false;                     ///< Whether nothing is drawn where the texture's alpha is under a half.
     HeadSample* samples = nullptr;             ///< The picture's; rows are `width` long.
     float* distancesM = nullptr;
     std::uint8_t* worn = nullptr; ///< Becomes 1 where the mesh is seen; null: it is no solid.
@@ -56,7 +56,7 @@ void drawHeadBand(const HeadBand& band);
 struct ShadeTask
 {
     glm::mat4 woFromProjection{1.0F};
-    glm::mat4 gridFromWo{1.0F}; ///< Of the light's grid.
+    glm::mat4 gridFromWo{1.0F}; ///< From the world to the light's grid.
     EyeGrid eyeGrid;
     std::array<const std::uint32_t*, 2> opacity{};
     int gridSide = 0;
@@ -66,17 +66,17 @@ struct ShadeTask
     glm::vec2 sizeSp{0.0F};
     glm::ivec2 cellSp{1}; ///< Samples across and up a cell.
     int across = 0;
-    int width = 0; ///< Of the head's picture.
+    int width = 0; ///< Width of the head's picture, samples.
     int height = 0;
     const float* distancesM = nullptr;
-    const std::uint8_t* rowHasHead = nullptr; ///< Of each row of samples; 0: none.
+    const std::uint8_t* rowHasHead = nullptr; ///< [rows of samples] 0: no head in it.
     glm::vec3 viewAxisWo{0.0F};               ///< Away from the eye, unit: distances are measured along it.
-    float undrawnCoverings = 0.0F;            ///< As StrandView has both.
+    float undrawnCoverings = 0.0F;            ///< As StrandView::undrawnCoverings; so is inEveryColumn.
     bool inEveryColumn = true;
     float* shade = nullptr;
     float* hidden = nullptr; ///< 0..1: how surely what lies behind the hair is hidden by it.
 };
-/// Rows of cells begin..end.
+/// Shades the rows of cells begin..end.
 void shadeSkin(const ShadeTask& task, int begin, int end);
 
 } // namespace hairpaint::rendering

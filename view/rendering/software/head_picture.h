@@ -26,11 +26,11 @@ public:
     [[nodiscard]] const std::vector<float>& distancesM() const { return m_distancesM; }
     /// 1 where a solid is seen; null where there are no solids.
     [[nodiscard]] const std::uint8_t* worn() const { return m_worn.empty() ? nullptr : m_worn.data(); }
-    /// Of each row of samples: 0 where it shows none.
+    /// [rows of samples] 0 where the row shows no head.
     [[nodiscard]] const std::vector<std::uint8_t>& rowHasHead() const { return m_rowHasHead; }
     [[nodiscard]] int width() const { return m_width; }
     [[nodiscard]] int height() const { return m_height; }
-    /// Whether any of it is in some samples.
+    /// Whether any of the samples in a rectangle shows the head.
     [[nodiscard]] bool isIn(int x0, int y0, int across, int up) const;
 
 private:
@@ -40,7 +40,7 @@ private:
         bool closed = false; ///< The inside is never seen.
         ScalpTint tint;
     };
-    /// A mesh as this picture has it.
+    /// A mesh in the picture's projection, with its light.
     struct Part
     {
         std::vector<HeadVertex> vertices;
@@ -48,11 +48,11 @@ private:
         SkinLighting lighting;
         bool isSolid = false;
         bool isTinted = false;
-        const sim::MeshTexture* texture = nullptr; ///< Of a solid in m_solids.
+        const sim::MeshTexture* texture = nullptr; ///< Kept alive by m_solids or m_skinTexture; null: none.
         glm::vec3 colour{1.0F};
         bool isMasked = false;
-        std::vector<std::uint32_t> bandBegin; ///< Into the triangles of each band of rows.
-        std::vector<std::uint32_t> bandTriangles;
+        std::vector<std::uint32_t> bandBegin;     ///< [bands + 1] where each band of rows begins in bandTriangles.
+        std::vector<std::uint32_t> bandTriangles; ///< Indices of triangles, band by band.
         void sortIntoBands(bool closed, int height);
     };
     void transformParts(const Mesh& head, const FrameConstants& constants, int height);
@@ -68,7 +68,7 @@ private:
     std::shared_ptr<const sim::MeshTexture> m_skinTexture;
     ScalpTintSources m_tintSources;
     FrameConstants m_drawnWith{};
-    bool m_isCoarse = false; ///< What the picture shows.
+    bool m_isCoarse = false; ///< The picture shows the coarse head.
     int m_width = 0;
     int m_height = 0;
     std::vector<HeadSample> m_samples;

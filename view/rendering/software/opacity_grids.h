@@ -36,7 +36,8 @@ private:
     void sum(const FrameConstants& constants);
 
     static constexpr std::size_t kMostParts = 8;
-    std::vector<std::vector<std::uint32_t>> m_voxels; ///< Of parts that are splatted side by side.
+    /// [parts] the voxels of each part; parts are splatted side by side.
+    std::vector<std::vector<std::uint32_t>> m_voxels;
     std::array<std::vector<std::uint32_t>, 2> m_opacity;
     EyeGrid m_eyeGrid;
     std::size_t m_hairsWanted = 1;

@@ -40,20 +40,21 @@ struct RowOfLight
     }
 };
 
-constexpr float kLeftOfHair = 0.75F; ///< More that is seen through is no gap in the coat but its end.
+/// Where more is left to see through, it is the edge of the coat, not a gap in it.
+constexpr float kLeftOfHair = 0.75F;
 
 HWY_INLINE void addTo(float* row, Lanes more)
 {
     stored(loaded(row) + more, row);
 }
 
-/// What cells say along a row of the tile's pixels: between two rows of them, for as many as the tile lies over and one
-/// more on either side.
+/// Values of cells along a row of the tile's pixels, interpolated between two rows of cells; for the cells that the
+/// tile lies over, and one more on either side.
 struct RowOfCells
 {
     static constexpr int kMost = kTileSp + 2;
     HWY_ALIGN std::array<float, kMost + kMostLanes> values;
-    int first = 0; ///< Number of the first.
+    int first = 0; ///< Number of the first cell.
     int last = 0;
 
     HWY_INLINE void take(const ResolveTask& resolve, const float* cells, int pixels, int y)
@@ -89,7 +90,7 @@ struct RowOfCells
     }
 };
 
-/// Of both kinds of cells.
+/// A row of both kinds of cells.
 struct CellRows
 {
     RowOfCells shade;
@@ -113,7 +114,7 @@ HWY_INLINE void addSamples(const TileTask& task, const ResolveTask& resolve, con
             addTo(row.through.data() + x, left);
             continue;
         }
-        // What is opaque shows nothing behind; what it lacks is the hair's own.
+        // A sample that counts as opaque shows nothing behind: the hair's light is scaled up to cover it.
         if (const Yes opaque = left < Lanes(task.opaque); any(opaque)) {
             const Lanes gain = select(opaque, Lanes(1.0F) / (Lanes(1.0F) - left), Lanes(1.0F));
             left = select(opaque, Lanes(0.0F), left);
@@ -125,7 +126,7 @@ HWY_INLINE void addSamples(const TileTask& task, const ResolveTask& resolve, con
                             floored((Lanes(hn::Iota(Tag(), 0.0F)) + Lanes(static_cast<float>(x))) *
                                     Lanes(1.0F / static_cast<float>(resolve.samplesX)));
         if (resolve.hidden != nullptr && any((left > Lanes(0.0F)) & (left < Lanes(kLeftOfHair)))) {
-            // The hair behind, which was not drawn, is like that in front but darker.
+            // Hair behind that was not drawn is taken to be like the hair in front, but darker.
             const Lanes covered = Lanes(1.0F) - left;
             const Lanes dense = clamped((covered - Lanes(1.0F - kLeftOfHair)) * Lanes(3.0F), 0.0F, 1.0F);
             const Lanes filled = left * dense * cells.hidden.at(resolve, pixel);

@@ -15,7 +15,7 @@ float srgbOfRoot(std::uint16_t rootOfLinear)
     return std::max(bent - 0.037004691F, 12.92F * std::min(s * s, 0.0031F));
 }
 
-/// Of one ring in one picture.
+/// Draws one ring over one picture.
 class RingOverlay
 {
 public:

@@ -23,18 +23,19 @@ struct alignas(32) ScreenSegment
     std::array<std::uint32_t, 2> colour; ///< As in StrandPoints.
 };
 
-/// Where the segments of a block lie. Rows [segment][kBlockLanes].
+/// Tiles, depths and widths of the segments of a block. Rows [segment][kBlockLanes].
 struct SegmentBounds
 {
     std::vector<std::uint32_t> lanes;  ///< [segment], a bit a lane: those that are seen in the picture.
     std::vector<std::uint32_t> tilesX; ///< The first tile touched, and in the upper half the last.
     std::vector<std::uint32_t> tilesY;
-    std::vector<std::uint32_t> depths; ///< As ScreenSegment has them, the first in the lower half.
+    /// Both of ScreenSegment::depth, the first in the lower half; `widths` likewise.
+    std::vector<std::uint32_t> depths;
     std::vector<std::uint32_t> widths;
     void resize(std::size_t segments);
 };
 
-/// A piece of a segment: what of it lies in some cells of a tile, one after the other along its main direction.
+/// A piece of a segment: the part in cells of one tile that follow each other along its main direction.
 struct SegmentPiece
 {
     static constexpr unsigned kNumberBits = 28;
@@ -54,8 +55,8 @@ static_assert(kCells == 4);
 struct TileEntry
 {
     SegmentPiece piece;
-    std::uint16_t depth; ///< In its middle.
-    std::uint16_t batch; ///< Its batch; while they are collected, meaningless.
+    std::uint16_t depth; ///< Depth of its middle.
+    std::uint16_t batch; ///< Number of its batch; not set in a SegmentBatch.
 };
 
 struct TileGrid
@@ -64,16 +65,16 @@ struct TileGrid
     int up = 0;
     int width = 0; ///< Samples.
     int height = 0;
-    int firstUp = 0;         ///< The rows of tiles that are drawn: from this one
-    int endUp = 0;           ///< up to this one.
-    float evenDepths = 0.0F; ///< A segment that reaches over more in a tile is cut at the cells.
+    int firstUp = 0;         ///< First row of tiles that is drawn,
+    int endUp = 0;           ///< and the row behind the last.
+    float evenDepths = 0.0F; ///< A segment whose depths in a tile differ by more is cut at the cells.
     TileGrid() = default;
     TileGrid(int widthSp, int heightSp, float evenDepthsWanted)
         : across((widthSp + kTileSp - 1) / kTileSp), up((heightSp + kTileSp - 1) / kTileSp), width(widthSp),
           height(heightSp), endUp(up), evenDepths(evenDepthsWanted)
     {}
     [[nodiscard]] int rows() const { return endUp - firstUp; }
-    /// Of those rows, numbered from the first on.
+    /// Number of tiles in the rows that are drawn; number() counts from the first of them.
     [[nodiscard]] std::size_t count() const
     {
         return static_cast<std::size_t>(across) * static_cast<std::size_t>(rows());
@@ -95,7 +96,7 @@ struct SegmentScratch
         std::uint16_t depth;
     };
     SegmentBounds bounds;
-    std::vector<Found> found; ///< As long as it ever was; the first foundCount count.
+    std::vector<Found> found; ///< Never shrinks; the first foundCount are in use.
     std::size_t foundCount = 0;
 };
 
@@ -107,27 +108,28 @@ public:
     static constexpr int kPicturesKept = 64;
 
     void clear(); ///< Before each picture.
-    /// A block of strands.
+    /// Adds the segments of a block of strands.
     void add(const TileGrid& tiles, const StrandPoints& points, int segments, SegmentScratch& scratch);
-    /// Sorts by tile, in the order in which they came, and is done with the scratch. After that add() needs clear().
+    /// Sorts the pieces by tile, in the order in which they were added. After that the scratch is free, and clear()
+    /// must be called before add().
     void sort(const TileGrid& tiles, SegmentScratch& scratch);
     [[nodiscard]] const ScreenSegment* segments() const { return m_segments.data(); }
     [[nodiscard]] const TileEntry* begin(std::size_t tile) const { return m_sorted.data() + m_tileBegin[tile]; }
     [[nodiscard]] const TileEntry* end(std::size_t tile) const { return m_sorted.data() + m_tileBegin[tile + 1]; }
-    [[nodiscard]] std::size_t heldBytes() const; ///< Of segments and of where they lie.
-    [[nodiscard]] std::size_t usedBytes() const; ///< Of these, by this picture.
+    [[nodiscard]] std::size_t heldBytes() const; ///< Bytes held for segments and entries of tiles.
+    [[nodiscard]] std::size_t usedBytes() const; ///< Bytes of these that this picture uses.
 
 private:
     void addToTile(const TileGrid& tiles, const ScreenSegment& segment, int tileX, int tileY, SegmentScratch& scratch);
     void addToTiles(const TileGrid& tiles, const ScreenSegment& segment, std::uint32_t tilesX, std::uint32_t tilesY,
                     SegmentScratch& scratch);
 
-    std::vector<ScreenSegment> m_segments; ///< As long as it ever was; the first m_segmentCount count.
+    std::vector<ScreenSegment> m_segments; ///< The first m_segmentCount are in use; shrinks only after kPicturesKept.
     std::size_t m_segmentCount = 0;
-    std::vector<TileEntry> m_sorted; ///< Likewise.
+    std::vector<TileEntry> m_sorted; ///< The first m_sortedCount are in use.
     std::size_t m_sortedCount = 0;
     std::vector<std::uint32_t> m_tileBegin;
-    std::size_t m_mostSegments = 0; ///< In a picture, of the last ones.
+    std::size_t m_mostSegments = 0; ///< Greatest number in a picture since memory was last freed.
     std::size_t m_mostSorted = 0;
     int m_pictures = 0;
 };

@@ -20,10 +20,10 @@ namespace {
 constexpr int kMostSide = 8192;
 constexpr std::size_t kBatchesAStep = 4;
 constexpr std::size_t kTilesAStep = 64;
-constexpr float kCoarseOpaque = 0.06F; ///< What is left to see through then is nothing.
+constexpr float kCoarseOpaque = 0.06F; ///< A sample counts as opaque where less than this is left to see through.
 constexpr float kFineOpaque = 0.015F;
-constexpr int kCoarseShadeCell = 4; ///< Pixels.
-constexpr int kFineShadeCell = 2;   ///< Of pictures with several samples a pixel.
+constexpr int kCoarseShadeCell = 4; ///< Pixels across a cell of the skin's shadow.
+constexpr int kFineShadeCell = 2;   ///< The same in pictures with several samples a pixel.
 
 using SoftwareClock = std::chrono::steady_clock;
 
@@ -42,7 +42,7 @@ TileSamples& tileSamples()
 
 struct SoftwareRenderer::State
 {
-    /// Of an unfinished picture: what is drawn, and how far it is.
+    /// An unfinished picture: what is drawn, and how much of it is done.
     struct Picture
     {
         Target target;
@@ -60,14 +60,14 @@ struct SoftwareRenderer::State
     HeadPicture head;
     std::size_t mostBytes;
     HairSegments hair{mostBytes};
-    std::vector<const ScreenSegment*> segments; ///< By batch.
+    std::vector<const ScreenSegment*> segments; ///< [batches] first segment of each.
     std::vector<float> skinShade;
-    std::vector<float> hiddenBehind; ///< In the same cells.
+    std::vector<float> hiddenBehind; ///< In the cells of skinShade.
     glm::ivec2 shadeSize{0};
     int shadeCell = kCoarseShadeCell;
     std::vector<std::uint8_t> drawn;  ///< The unfinished picture.
-    std::vector<std::uint8_t> pixels; ///< The last finished one.
-    std::vector<float> drawnLinear;   ///< Likewise, empty where it is not wanted.
+    std::vector<std::uint8_t> pixels; ///< The last finished picture.
+    std::vector<float> drawnLinear;   ///< The unfinished picture in linear light; empty where it is not wanted.
     std::vector<float> linear;
     std::optional<Picture> underWay;
 
@@ -111,7 +111,7 @@ void SoftwareRenderer::State::drawBatches(std::size_t count)
     underWay->nextBatch += count;
 }
 
-/// Between hair and tiles.
+/// Prepares the tiles, after the last batch of hair.
 void SoftwareRenderer::State::readyTiles()
 {
     segments.clear();
@@ -216,7 +216,7 @@ void SoftwareRenderer::State::drawTiles(std::size_t count)
     underWay->nextTile += count;
 }
 
-/// Begins with `rows` rows of tiles from that one on.
+/// Begins to draw `rows` rows of tiles from `firstUp` on.
 void SoftwareRenderer::State::drawRows(int firstUp, int rows)
 {
     hair.setRows(firstUp, std::min(firstUp + rows, hair.tiles().up));
@@ -256,7 +256,7 @@ bool SoftwareRenderer::State::piece(std::size_t batches, std::size_t tiles)
     return true;
 }
 
-/// Makes it the last finished picture.
+/// Makes the unfinished picture the last finished one.
 void SoftwareRenderer::State::finish(bool inSteps)
 {
     const Picture& picture = *underWay;

@@ -27,10 +27,11 @@ public:
     [[nodiscard]] bool step(double budgetMs) override;
     [[nodiscard]] bool drawPatiently(const Scene& scene, const Quality& quality, int width, int height,
                                      const Progress& progress) override;
-    /// Of a transparent scene alpha is the part of the pixel that is covered, and the colour what covers it.
+    /// In a transparent scene alpha is the fraction of the pixel that is covered, and the colour that of what covers
+    /// it.
     void read(std::vector<std::uint8_t>& pixels) override;
     void readLinear(std::vector<float>& pixels) override;
-    /// What was needed for drawing is more than a gigabyte of a large picture.
+    /// Also frees what drawing needed, which is more than a gigabyte for a large picture.
     [[nodiscard]] std::vector<std::uint8_t> takePicture() override;
     [[nodiscard]] std::vector<float> takeLinear() override;
     [[nodiscard]] const FrameStatistics& statistics() const override;

@@ -34,20 +34,20 @@ struct alignas(64) StrandBlock
     const sim::CurlSettings* coils = nullptr; ///< See sim::coilsOf.
     bool anyFrizz = false;
     bool anyTaut = false;
-    bool anyTipStart = false; ///< Their tip colours begin elsewhere; else all have one sim::TipMix.
+    bool anyTipStart = false; ///< Tip colours begin at different fractions; else all have one sim::TipMix.
     bool anyFrame = false;    ///< Curled, braided or frizzy: the frame along the skeleton matters.
     LaneRow turns;
     LaneRow curlRadiusM; ///< 0 where there is no curl.
     LaneRow phase;
     LaneRow lengthM;
-    LaneRow width; ///< Multiple of the group's.
+    LaneRow width; ///< Factor on the group's width.
     LaneRow variation;
-    LaneRow order;                     ///< 0..1: hairs of a low one stand for the others where not all are drawn.
+    LaneRow order;                     ///< 0..1: where not all hairs are drawn, those of the lowest order are.
     std::array<LaneRow, 3> rootColour; ///< sRGB as encoded, 0..1.
     std::array<LaneRow, 3> tipColour;
     LaneRow tipScale; ///< sim::TipMix
     LaneRow tipOffset;
-    std::array<float, 3 * kBlockLanes> tangentWo; ///< Of the root.
+    std::array<float, 3 * kBlockLanes> tangentWo; ///< [3][kBlockLanes] tangent at the root.
     LaneRow braid;                                ///< sim::BraidKind
     LaneRow wisp;
     LaneRow taut; ///< 1: see sim::StrandStyle::isTaut(), else 0.
@@ -60,14 +60,14 @@ struct alignas(64) StrandBlock
     LaneRow wispY;
     LaneRow frizzM;
     LaneRow frizzRad;           ///< sim::FrizzOfStyle
-    LaneRow shine;              ///< Of the group's; 1 where the gloss map says nothing.
-    LaneRow sharpness;          ///< How many times as sharp as the group's the highlights are.
-    LaneRow perTaper;           ///< Lengths of the taper in the strand's, at least 1.
+    LaneRow shine;              ///< Factor on the group's shine; 1 where the gloss map is not painted.
+    LaneRow sharpness;          ///< Sharpness of the highlights over the group's.
+    LaneRow perTaper;           ///< The strand's length over its taper's, at least 1.
     std::vector<float> nodesWo; ///< [nodes][3][kBlockLanes]
 };
 
-/// Strands of a group, one to sixteen positioned slots; lanes beyond them are the last one again, of no width.
-/// `turnWoFromHd`: as the head is turned.
+/// Fills a block with strands of a group, one to sixteen positioned slots; lanes beyond them repeat the last one, with
+/// no width. `turnWoFromHd`: the head's rotation.
 void fillBlock(StrandBlock& block, const sim::GroupFrame& group, std::span<const std::uint32_t> slots,
                const glm::mat3& turnWoFromHd);
 
@@ -75,33 +75,33 @@ void fillBlock(StrandBlock& block, const sim::GroupFrame& group, std::span<const
 struct StrandView
 {
     glm::mat4 projectionFromWo{1.0F};
-    glm::mat4 gridFromWo{1.0F}; ///< Of the light's grid.
+    glm::mat4 gridFromWo{1.0F}; ///< From the world to the light's grid.
     EyeGrid eyeGrid;
-    std::array<CoatAxis, 2> coatAxes;              ///< In the light's grid, the eye's.
-    std::array<const std::uint32_t*, 2> opacity{}; ///< [side][side][side] toward the light, the eye.
+    std::array<CoatAxis, 2> coatAxes;              ///< Axes of the light's grid and of the eye's.
+    std::array<const std::uint32_t*, 2> opacity{}; ///< [side][side][side], toward the light and toward the eye.
     int gridSide = 0;
     glm::vec2 sizeSp{0.0F};   ///< The picture, samples.
-    float samplesPerM = 0.0F; ///< That a metre covers at a distance of 1 m.
+    float samplesPerM = 0.0F; ///< Samples that a metre covers at a distance of 1 m.
     float groupWidthM = 0.0F; ///< Diameter of a hair whose width is 1.
-    float fraction = 1.0F;    ///< Of the hairs that are drawn, as much wider.
+    float fraction = 1.0F;    ///< Fraction of the hairs that are drawn; they are widened to cover as much.
     float rootAlpha = 1.0F;
     float tipAlpha = 1.0F;
-    bool tapers = false; ///< Over less than all of their length.
+    bool tapers = false; ///< Strands taper over less than all of their length.
     float variationScale = 0.0F;
     float sectionAxes = 1.0F; ///< See StrandMaterial.
-    float nearestM = 0.0F;    ///< Depths run from here, in 16 bits;
+    float nearestM = 0.0F;    ///< Distance at which depths, of 16 bits, begin.
     float depthsPerM = 0.0F;
     float toleranceSp = 0.25F; ///< How far a drawn curve may lie beside the true one.
     /// Coverings of hair in front, seen by the eye, from which on nothing is drawn.
     float undrawnCoverings = 10.0F;
-    bool inEveryColumn = true; ///< Those; see DepthOfCoat.
-    /// Of those, the fraction that is left where others hide them by half and more; 1 where all are drawn.
+    bool inEveryColumn = true; ///< Whether those lie in every column, see DepthOfCoat.
+    /// Fraction of the drawn hairs that is left where others hide them by half and more; 1 where all are drawn.
     float deepFraction = 1.0F;
     HairLighting lighting;
 };
 
-/// In how many segments each span between nodes is drawn. 0: in the one that the span before begins; neither the first
-/// span nor the last.
+/// Number of segments in which each span between nodes is drawn. 0: the span is part of the segment that begins in the
+/// span before; never for the first span or the last.
 struct SpanSegments
 {
     std::array<int, kMostNodes> of{};
@@ -110,7 +110,7 @@ struct SpanSegments
     /// where it stays.
     float tipAlong = 0.0F;
 
-    /// Of point `j` of a span's, 0..1 in it.
+    /// Position of a span's point `j`, 0..1 in the span.
     [[nodiscard]] float along(int span, int nodes, int j) const
     {
         if (tipAlong > 0.0F && j == 0 && span + 2 == nodes)
@@ -123,7 +123,7 @@ struct SpanSegments
 struct StrandPoints
 {
     std::vector<float> pointsWo; ///< [point][3][kBlockLanes]
-    std::vector<float> fraction; ///< Of the strand, [point].
+    std::vector<float> fraction; ///< [point] fraction of the strand, 0..1.
     std::vector<float> x;        ///< Samples, right.
     std::vector<float> y;        ///< Samples, up.
     std::vector<float> depth;    ///< 0..65535

@@ -18,15 +18,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
-constexpr float kDeepFrom = 0.3F; ///< Coverings: from where on fewer hairs are drawn for all, and as few as may be.
-constexpr float kDeepTo = 1.6F;
-constexpr float kLeastShade = 0.05F;    ///< Coverings: less needs no second look at what casts it.
-constexpr float kGreatestWidth = 24.0F; ///< Samples: wider strands would look like straw.
+constexpr float kDeepFrom = 0.3F;       ///< Coverings of hair in front from which on fewer hairs are drawn,
+constexpr float kDeepTo = 1.6F;         ///< and from which on StrandView::deepFraction of them are.
+constexpr float kLeastShade = 0.05F;    ///< Coverings above which the eye's grid is read again, out of the coat.
+constexpr float kGreatestWidth = 24.0F; ///< Greatest width, samples: wider strands would look like straw.
 constexpr float kMostSlant = 1.42F;
-constexpr int kMostJoinedSpans = 4; ///< In one segment: light is known at its ends only.
+constexpr int kMostJoinedSpans = 4; ///< Most spans in one segment: light is computed at its ends only.
 constexpr float kNearestDrawnM = 0.01F;
-constexpr float kSegmentsOfDyedSpan = 4.0F; ///< Where the tip colour begins or becomes whole.
-/// Of frizz, in waves of the coarser one, which has a little more than half of the height.
+constexpr float kSegmentsOfDyedSpan = 4.0F; ///< Segments of a span in which the tip colour begins or becomes whole.
+/// Waves of frizz that segments follow, over those of the coarser wave, which has a little more than half the height.
 constexpr float kFollowedWaves = 0.5F * (1.0F + sim::kFrizzFiner);
 
 static_assert(kMostLanes == kBlockLanes);
@@ -45,17 +45,18 @@ HWY_INLINE Lanes biggest(Lanes a)
     return Lanes(hn::MaxOfLanes(Tag(), a.v));
 }
 
-/// Where a last segment as long as its span would thin out over too much, and the hair is straight enough there.
+/// SpanSegments::tipAlong: above 0 where a last segment as long as its span would thin out over too much, and the hair
+/// is straight enough there.
 float tipAlongOf(const StrandView& view, const StrandBlock& block, const SpanSegments& segments,
                  const std::array<float, kMostNodes>& bendAt)
 {
     const auto spans = static_cast<std::size_t>(block.nodes) - 1;
     if (!view.tapers || spans < 3 || segments.of.at(spans - 1) != 1 || segments.of.at(spans - 2) == 0)
         return 0.0F;
-    constexpr float kTwoSpans = 4.0F; // Of a span's distance between chord and curve.
+    constexpr float kTwoSpans = 4.0F; // Distance between chord and curve of two spans, over that of one.
     if (kTwoSpans * std::max(bendAt.at(spans - 1), bendAt.at(spans - 2)) > 8.0F * view.toleranceSp)
         return 0.0F;
-    float taper = 0.0F; // Of the strands, in spans.
+    float taper = 0.0F; // Sum of the strands' tapers, in spans.
     float strands = 0.0F;
     for (std::size_t lane = 0; lane < kMostLanes; ++lane)
         if (block.width[lane] > 0.0F) {
@@ -78,7 +79,7 @@ bool bendsWithin(const StrandBlock& block, float from, float to)
 void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegments& segments)
 {
     constexpr std::size_t kRow = 3 * kMostLanes;
-    std::array<float, kMostNodes> bendAt{}; // Samples, at each node.
+    std::array<float, kMostNodes> bendAt{}; // [nodes] greatest second difference of the strands' nodes, samples.
     float turnSegments = 0.0F;
     for (std::size_t lane = 0; lane < kMostLanes; lane += hn::Lanes(Tag())) {
         const float* nodes = block.nodesWo.data() + lane;
@@ -111,7 +112,7 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
             const Lanes swings = select((kind > Lanes(3.5F)) & (kind < Lanes(5.5F)), Lanes(2.0F), Lanes(1.0F));
             const Lanes plaited = loaded(block.braidTurns.data() + lane) * swings *
                                   most(braid * Lanes(2.0F * 3.1416F), Lanes(16.0F)) / behindStart;
-            if (block.anyFrizz) // What strays by less than a sample needs few.
+            if (block.anyFrizz) // Frizz of less than a sample needs few segments.
                 wanted =
                     most(wanted, loaded(block.frizzRad.data() + lane) *
                                      root(loaded(block.frizzM.data() + lane) * scale) * Lanes(0.5F * kFollowedWaves));
@@ -147,15 +148,15 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
     segments.tipAlong = tipAlongOf(view, block, segments, bendAt);
 }
 
-/// Square root of the light's part of the most in 10 bits.
+/// Square root of light / kMostLight in 10 bits.
 HWY_INLINE Ints tenBits(Lanes light)
 {
     const Lanes part = clamped(light * Lanes(1.0F / kMostLight), 0.0F, 1.0F);
     return hn::ConvertTo(IntTag(), (root(part) * Lanes(1023.0F) + Lanes(0.5F)).v);
 }
 
-/// How much wider a hair is drawn where it stands for others: those that come late thin out to nothing, over a part of
-/// the others, so that none appears or goes at once.
+/// Factor on a hair's width where it stands for others that are not drawn. Hairs of high order thin out to nothing, so
+/// that none appears or vanishes at once.
 HWY_INLINE Lanes wideningOf(const StrandView& view, Lanes order, Lanes towardEye)
 {
     const Lanes fraction = mixed(Lanes(view.fraction), Lanes(view.fraction * view.deepFraction),

@@ -78,7 +78,7 @@ HWY_INLINE Walk walkOf(const TileTask& task, const ScreenSegment& segment)
     return walk;
 }
 
-/// What a walk's values are at a position along its main direction, and how they go on from sample to sample.
+/// A walk's values at a position along its main direction, or what they change by from sample to sample.
 struct Pace
 {
     float middle, width, depth;
@@ -88,9 +88,10 @@ struct Pace
 /// Steps of a strand that is thinner than a sample, within a tile: a tent over the two samples that are nearest.
 struct ThinSteps
 {
-    HWY_ALIGN float covers[2 * kTileSp + 8]; ///< Of the two, step by step; spread() reads beyond the last.
-    HWY_ALIGN std::int32_t across[kTileSp];  ///< The first of the two; where the head is asked about.
-    HWY_ALIGN std::int32_t index[kTileSp];   ///< Its floats in the tile's light.
+    /// Coverage of both samples, step by step; spread() reads beyond the last.
+    HWY_ALIGN float covers[2 * kTileSp + 8];
+    HWY_ALIGN std::int32_t across[kTileSp]; ///< Position of the first sample; set only where the head is tested.
+    HWY_ALIGN std::int32_t index[kTileSp];  ///< Index of the first sample's floats in the tile's light.
 };
 
 template<bool kSteep, bool kHead>

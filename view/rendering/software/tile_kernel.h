@@ -16,12 +16,12 @@ struct HeadSample
     std::uint16_t red = 0; ///< Square roots of the linear colour, 0..65535.
     std::uint16_t green = 0;
     std::uint16_t blue = 0;
-    std::uint16_t cover = 0; ///< How much of the sample it covers.
+    std::uint16_t cover = 0; ///< Fraction of the sample that the head covers, 0..65535.
 };
 
 inline constexpr int kTileRow = kTileSp + 2; ///< A tile's samples with one more around it, which is never seen.
 
-/// Where a sample of the tile is.
+/// Index of a sample in an array of kTileRow rows.
 [[nodiscard]] constexpr int inTile(int x, int y)
 {
     return (y + 1) * kTileRow + x + 1;
@@ -37,7 +37,7 @@ struct TileSamples
     std::vector<TileEntry> entries;
     std::vector<TileEntry> sorted;
     std::array<std::uint32_t, 2048> buckets;
-    std::array<float, 1UL * kTileRow * kTileRow> headDepth; ///< As segments have it, behind the skin.
+    std::array<float, 1UL * kTileRow * kTileRow> headDepth; ///< Depth a little behind the skin, in segments' units.
 };
 
 struct TileTask
@@ -48,16 +48,16 @@ struct TileTask
     int height = 0;
     bool anyHead = false;
     bool bare = false;                    ///< Nothing but background is wanted: the samples are not looked at.
-    const float* headDistanceM = nullptr; ///< Of the corner; huge where there is no head.
-    const std::uint8_t* worn = nullptr;   ///< Of the corner: 1 where a solid is seen; null: nowhere.
-    const HeadSample* head = nullptr;     ///< Of the corner.
+    const float* headDistanceM = nullptr; ///< The corner's distance, then as `head`; huge where there is no head.
+    const std::uint8_t* worn = nullptr;   ///< The corner's, then as `head`: 1 where a solid is seen; null: nowhere.
+    const HeadSample* head = nullptr;     ///< The corner's sample; rows are headStride apart.
     std::size_t headStride = 0;           ///< From a row to the one above.
-    float opaque = 0.02F;                 ///< Less that is left to see through is nothing.
-    float nearestM = 0.0F;                ///< Where the segments' depths begin;
+    float opaque = 0.02F;                 ///< A sample counts as opaque where less than this is left to see through.
+    float nearestM = 0.0F;                ///< Distance at which the segments' depths begin.
     float depthsPerM = 0.0F;
 };
 
-/// Where segments are.
+/// [batches] first segment of each batch.
 using SegmentLists = std::span<const ScreenSegment* const>;
 
 /// Lays `samples.entries` over the tile, nearest first; `segments` by batch. Fills samples.light.
