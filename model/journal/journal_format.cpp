@@ -54,12 +54,12 @@ QByteArray statePayload(const StateFields& fields)
                        {QStringLiteral("time"), fields.timeMs},
                        {QStringLiteral("fileBytes"), fields.fileBytes},
                        {QStringLiteral("fileTime"), fields.fileTimeMs}};
-    return deflated(QCborValue(map).toCbor());
+    return packedPayload(QCborValue(map).toCbor());
 }
 
 std::optional<StateFields> stateFields(const QByteArray& payload)
 {
-    const std::optional<QByteArray> cbor = inflated(payload, kMostStateBytes);
+    const std::optional<QByteArray> cbor = unpackedPayload(payload, kMostStateBytes);
     if (!cbor)
         return std::nullopt;
     const QCborMap map = QCborValue::fromCbor(*cbor).toMap();
@@ -85,7 +85,7 @@ std::optional<StateFields> stateFields(const QByteArray& payload)
     return fields;
 }
 
-QByteArray deflated(const QByteArray& bytes)
+QByteArray packedPayload(const QByteArray& bytes)
 {
     constexpr int kFastest = 1; // of zlib's levels
     QByteArray compressed = qCompress(bytes, kFastest);
@@ -94,7 +94,7 @@ QByteArray deflated(const QByteArray& bytes)
     return compressed;
 }
 
-std::optional<QByteArray> inflated(QByteArrayView bytes, qsizetype mostBytes)
+std::optional<QByteArray> unpackedPayload(QByteArrayView bytes, qsizetype mostBytes)
 {
     constexpr qsizetype kSizeBytes = 4; // which qCompress puts first
     if (bytes.size() < kSizeBytes || qFromBigEndian<quint32>(bytes.data()) > static_cast<quint64>(mostBytes))

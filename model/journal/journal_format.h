@@ -41,8 +41,8 @@ struct StateFields
 /// None where the payload is no valid state.
 [[nodiscard]] std::optional<StateFields> stateFields(const QByteArray& payload);
 /// Packs at the fastest level, since an undo step waits for it. Throws std::bad_alloc.
-[[nodiscard]] QByteArray deflated(const QByteArray& bytes);
+[[nodiscard]] QByteArray packedPayload(const QByteArray& bytes);
 /// Unpacks what qCompress packed; none where it is broken or claims to hold more than `mostBytes`.
-[[nodiscard]] std::optional<QByteArray> inflated(QByteArrayView bytes, qsizetype mostBytes);
+[[nodiscard]] std::optional<QByteArray> unpackedPayload(QByteArrayView bytes, qsizetype mostBytes);
 
 } // namespace hairpaint::model

@@ -187,7 +187,7 @@ private:
                 return nullptr;
             qFromLittleEndian<quint16>(body.data(), static_cast<qsizetype>(tile->uniform.size()), tile->uniform.data());
         } else {
-            const std::optional<QByteArray> bytes = inflated(body, kMostTileBytes);
+            const std::optional<QByteArray> bytes = unpackedPayload(body, kMostTileBytes);
             values = sim::kTileTexels * static_cast<std::size_t>(channels);
             if (!bytes || static_cast<std::size_t>(bytes->size()) != values * sizeof(std::uint16_t))
                 return nullptr;
@@ -213,7 +213,7 @@ private:
         if (!found.head) {
             const std::optional<JournalRecord> record = recordAt(found.at, RecordKind::Head);
             const std::optional<QByteArray> glb =
-                record ? inflated(record->payload, kMostMeshBytes) : std::optional<QByteArray>();
+                record ? unpackedPayload(record->payload, kMostMeshBytes) : std::optional<QByteArray>();
             if (!glb || !hold(static_cast<std::size_t>(glb->size())))
                 return nullptr;
             const Checked<std::shared_ptr<const Head>> head =

@@ -25,7 +25,7 @@ QByteArray tilePayload(const sim::RasterTile& tile, int channels)
         tile.isUniform() ? std::span<const std::uint16_t>(tile.uniform) : std::span<const std::uint16_t>(tile.pixels);
     QByteArray bytes(static_cast<qsizetype>(values.size_bytes()), Qt::Uninitialized);
     qToLittleEndian<quint16>(values.data(), static_cast<qsizetype>(values.size()), bytes.data());
-    payload.append(tile.isUniform() ? bytes : deflated(bytes));
+    payload.append(tile.isUniform() ? bytes : packedPayload(bytes));
     return payload;
 }
 
@@ -106,7 +106,7 @@ int JournalWriter::headNumberOf(const std::shared_ptr<const Head>& head, QByteAr
         return kBuiltInHead;
     auto known = std::ranges::find(m_heads, head);
     if (known == m_heads.end()) {
-        records += recordBytes(RecordKind::Head, deflated(head->sourceGlb));
+        records += recordBytes(RecordKind::Head, packedPayload(head->sourceGlb));
         known = m_heads.insert(m_heads.end(), head);
     }
     return static_cast<int>(known - m_heads.begin());

@@ -42,12 +42,12 @@ QByteArray journalOf(fuzz::Input& input)
             const QByteArray head = input.take(2);
             const QByteArray texels = input.piece();
             // A short one is uniform, a long one stands for itself again and again.
-            const QByteArray packed = texels.size() < 9 ? texels : model::deflated(texels.repeated(4096 * 8 / 16));
+            const QByteArray packed = texels.size() < 9 ? texels : model::packedPayload(texels.repeated(4096 * 8 / 16));
             bytes += model::recordBytes(kind, head + packed);
             break;
         }
         case model::RecordKind::Head:
-            bytes += model::recordBytes(kind, model::deflated(input.piece()));
+            bytes += model::recordBytes(kind, model::packedPayload(input.piece()));
             break;
         default:
             bytes += model::recordBytes(kind, input.piece());

@@ -306,7 +306,7 @@ void TestJournal::aStateThatUnpacksToTooMuchIsDamage()
     {
         QFile journal(file());
         QVERIFY(journal.open(QIODevice::Append));
-        journal.write(recordBytes(RecordKind::State, deflated(QByteArray(qsizetype{100} << 20, ' '))));
+        journal.write(recordBytes(RecordKind::State, packedPayload(QByteArray(qsizetype{100} << 20, ' '))));
     }
     const AllocationLimit memory(std::size_t{64} << 20U);
     const auto work = recovered();
