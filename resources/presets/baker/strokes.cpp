@@ -197,11 +197,31 @@ void cutFringe(Recording& user, const Fringe& fringe)
                                                     forwardM(std::min(leftM + kStepM, fringe.halfM), backM))};
             user.brush(MapKind::Length, user.length(lengthM), {.sizeM = 0.014F, .hardness = 0.5F}, spot);
         }
+    // Down the forehead, where the hairline may have a peak, and where hair goes on as the skin under it is combed: to
+    // the sides by nature.
+    const auto downForehead = [&](float leftM) {
+        const float hairlineM = user.above(leftM, forwardM(leftM, -kEaseM)).positionHd.y;
+        Recording::Points lane;
+        for (const float belowM : evenly(0.0F, 5.0F * kStepM, kStepM))
+            lane.push_back(user.outward({leftM, hairlineM - belowM, 0.0F}, {0.0F, 0.0F, 1.0F}));
+        return lane;
+    };
+    const std::vector<float> lanes = evenly(0.0F, fringe.halfM - kEaseM, kStepM);
+    for (const float leftM : lanes)
+        user.brush(MapKind::Length, user.length(fringe.lengthM + fringe.longerM * leftM / fringe.halfM),
+                   {.sizeM = 0.016F, .hardness = 0.8F}, downForehead(leftM));
+    // Between the two, where soft rims of the strokes leave long hair.
+    Recording::Points hairline;
+    for (const float leftM : evenly(0.0F, 0.5F * fringe.halfM, kStepM))
+        hairline.push_back(user.outward({leftM, 0.078F, 0.0F}, {0.0F, 0.0F, 1.0F}));
+    user.brush(MapKind::Length, user.length(fringe.lengthM), {.sizeM = 0.012F, .hardness = 0.9F}, hairline);
     // Less far to all sides than it is cut, or long hair beside it would hang into the face.
-    for (const float leftM : evenly(0.0F, fringe.halfM - kEaseM, kStepM)) {
-        Recording::Points lane{user.above(0.8F * leftM, forwardM(0.8F * leftM, fringe.depthM))};
+    for (const float leftM : lanes) {
+        Recording::Points lane{user.above(0.92F * leftM, forwardM(0.92F * leftM, fringe.depthM))};
         for (const float backM : evenly(fringe.depthM - kStepM, -kEaseM, kStepM))
             lane.push_back(user.above(leftM, forwardM(leftM, backM)));
+        const Recording::Points below = downForehead(leftM);
+        lane.insert(lane.end(), below.begin() + 1, below.end());
         user.comb(fringe.flatness, {.sizeM = 0.016F, .hardness = 0.8F}, lane);
     }
 }

@@ -164,7 +164,8 @@ Style jawBob()
                         user.erase(MapKind::Density, {.sizeM = 0.03F, .hardness = 0.9F}, user.level(heightM, 75.0F));
                     user.part({.reachM = 0.11F}, user.overHead(0.0F, 0.045F, -0.085F));
                     combBeforeEars(user);
-                    cutFringe(user, {.halfM = 0.048F, .longerM = 0.012F});
+                    cutFringe(user, {.halfM = 0.062F, .longerM = 0.012F});
+                    front(user, MapKind::Gel, scalar(0.5F), 0.04F);
                 }};
     style.settings.nodesPerHair = 10;
     style.settings.material.shine = 0.75F;
