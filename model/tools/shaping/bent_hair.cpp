@@ -11,7 +11,7 @@ namespace hairpaint::model {
 namespace {
 
 constexpr int kMostRounds = 64;
-constexpr float kCloseM = 1e-5F;
+constexpr float kWithinM = 1e-5F;
 constexpr float kNearSkinM = 0.025F; ///< Hair further off hangs free.
 constexpr float kStepOfRadius = 0.5F;
 
@@ -83,7 +83,7 @@ void bendHair(HairCourse& course, std::size_t node, glm::vec3 targetHd)
     const glm::vec3 was = course[node];
     const glm::vec3 target =
         glm::distance(root, targetHd) > reachM ? towards(root, targetHd, reachM * (1.0F - 1e-6F)) : targetHd;
-    for (int round = 0; round < kMostRounds && glm::distance(course[node], target) > kCloseM; ++round) {
+    for (int round = 0; round < kMostRounds && glm::distance(course[node], target) > kWithinM; ++round) {
         course[node] = target;
         for (std::size_t i = node; i-- > 0;)
             course[i] = towards(course[i + 1], course[i], lengthsM[i]);
