@@ -49,15 +49,17 @@ enum class Reason : std::uint32_t
     UnknownExtension = 12,     ///< An extension that the model can't be read without is not known;
     UndecodedCompression = 13, ///< or the compression that it names can't be decoded.
     Malformed = 14,            ///< It breaks its format's rules, and how is told in English.
-    LayersOnly = 30            ///< Without the picture that its layers make.
+    LayersOnly = 30,           ///< Without the picture that its layers make.
+    InkColours = 31,           ///< Its colours are inks, in a format of which these are not read.
+    UnreadFormat = 32          ///< A format that is known, and not read.
 };
 
 /// Why there is no other answer.
 struct Refusal
 {
     Reason reason;
-    /// UTF-8: that file, without folders, that extension, that compression, or how the rules are broken, as part of a
-    /// sentence; empty for all other reasons.
+    /// UTF-8: that file, without folders, that extension, that compression, how the rules are broken, as part of a
+    /// sentence, or the format's name; empty for all other reasons.
     std::string detail;
     Refusal(Reason why, std::string told = {}) : reason(why), detail(std::move(told)) {}
     friend bool operator==(const Refusal&, const Refusal&) = default;
