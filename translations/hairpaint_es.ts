@@ -587,6 +587,10 @@
         <source>an image for each uv tile of the head, in its own layout: Scalp-density.1001.png</source>
         <translation>una imagen por cada mosaico uv de la cabeza, en su propio despliegue: Scalp-density.1001.png</translation>
     </message>
+    <message>
+        <source>%1: its head has one uv tile, so each map is one image, numbered 1001; where an earlier version laid several tiles side by side, import that head anew</source>
+        <translation>%1: su cabeza tiene un solo mosaico uv, así que cada mapa es una imagen, con el número 1001; si una versión anterior puso varios mosaicos uno junto a otro, importa esa cabeza de nuevo</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -1451,6 +1455,22 @@
     <message>
         <source>its hair is in other files, which are no USD text beside it: %1; export it flattened into one</source>
         <translation>su pelo está en otros archivos, que no son texto USD junto a él: %1; expórtalo aplanado en uno solo</translation>
+    </message>
+    <message>
+        <source>its colours are inks (CMYK), which are read of TIFF and JPEG alone; convert it to RGB, or save it as TIFF, and try again</source>
+        <translation>sus colores son tintas (CMYK), que solo se leen de TIFF y JPEG; conviértelo a RGB o guárdalo como TIFF e inténtalo de nuevo</translation>
+    </message>
+    <message>
+        <source>its format, %1, is not read here; save it as PNG or TIFF in the program that made it, and try again</source>
+        <translation>su formato, %1, no se lee aquí; guárdalo como PNG o TIFF en el programa que lo creó e inténtalo de nuevo</translation>
+    </message>
+    <message>
+        <source>several of its parts have a layout of their own in uv tile %1, so these lie side by side on the maps</source>
+        <translation>varias de sus partes tienen un despliegue propio en el mosaico uv %1, así que están uno junto a otro en los mapas</translation>
+    </message>
+    <message>
+        <source>not read, so hair that is in there is missing: %1; save it as USD text in the same folder</source>
+        <translation>no se leyó, así que falta el pelo que haya ahí: %1; guárdalo como texto USD en la misma carpeta</translation>
     </message>
 </context>
 <context>

@@ -211,6 +211,11 @@ ExitCode runExport(const QStringList& arguments)
     if (!mapFolder.isEmpty()) {
         if (parser.isSet(QStringLiteral("udim")))
             mapOptions->tiles = model::tilesOf(project->head);
+        if (mapOptions->tiles && mapOptions->tiles->isOneMap())
+            (void)printLines({CommandLine::tr("%1: its head has one uv tile, so each map is one image, numbered 1001; "
+                                              "where an earlier version laid several tiles side by side, import that "
+                                              "head anew")
+                                  .arg(model::shownPath(files->front()))});
         QDir().mkpath(mapFolder); // Where it can't be made, writing says so.
         const Interruption interruption;
         if (const model::Result<void> written = model::writeMapImages(wantedMapsOf(*project, *groups), mapFolder,

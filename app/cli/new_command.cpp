@@ -126,15 +126,17 @@ model::Result<void> importMap(model::Project& project, model::ImporterClient& cl
 /// Adds a file's groups to the project.
 model::Result<void> importCurves(model::Project& project, const QString& path, const model::CurveSpaceChoice& choice)
 {
-    std::size_t leftOut = 0;
+    model::CurveRemarks remarks;
     model::Result<std::vector<model::HairGroup>> groups =
-        model::groupsFromCurves(path, choice, project.head, {}, &leftOut);
+        model::groupsFromCurves(path, choice, project.head, {}, &remarks);
     if (!groups)
         return tl::unexpected(groups.error());
-    if (leftOut > 0)
+    if (remarks.leftOut > 0)
         (void)printLines(
-            {CommandLine::tr("%1: %Ln strands left out, which are broken", nullptr, static_cast<int>(leftOut))
+            {CommandLine::tr("%1: %Ln strands left out, which are broken", nullptr, static_cast<int>(remarks.leftOut))
                  .arg(model::shownPath(path))});
+    if (!remarks.unread.isEmpty())
+        (void)printLines({QStringLiteral("%1: %2").arg(model::shownPath(path), model::unreadFiles(remarks.unread))});
     for (model::HairGroup& group : *groups)
         model::adoptGroup(project, std::move(group));
     return {};

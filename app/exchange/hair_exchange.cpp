@@ -170,10 +170,10 @@ void HairExchange::importHairFrom(const QString& path)
         return;
     const model::CurveSpaceChoice choice = dialog.choice();
     const std::shared_ptr<const model::Head> head = document.committed().head;
-    const auto leftOut = std::make_shared<std::size_t>(0);
+    const auto remarks = std::make_shared<model::CurveRemarks>();
     std::optional<Groups> groups =
-        m_files.read<Groups>(path, [path, choice, head, leftOut](const model::Progress& progress) {
-            return model::groupsFromCurves(path, choice, head, progress, leftOut.get());
+        m_files.read<Groups>(path, [path, choice, head, remarks](const model::Progress& progress) {
+            return model::groupsFromCurves(path, choice, head, progress, remarks.get());
         });
     if (!groups)
         return;
@@ -183,10 +183,14 @@ void HairExchange::importHairFrom(const QString& path)
     document.push(model::importHairCommand(document, std::move(*groups), name));
     if (document.committed().groups.size() > before)
         m_session.editor().target().setGroup(document.committed().groups[before].id);
-    m_files.tell(
-        *leftOut == 0
-            ? tr("%1 imported").arg(name)
-            : tr("%1 imported; %Ln strands left out, which are broken", nullptr, static_cast<int>(*leftOut)).arg(name));
+    if (!remarks->unread.isEmpty())
+        m_files.tell(QStringLiteral("%1: %2").arg(name, model::unreadFiles(remarks->unread)));
+    else if (remarks->leftOut > 0)
+        m_files.tell(
+            tr("%1 imported; %Ln strands left out, which are broken", nullptr, static_cast<int>(remarks->leftOut))
+                .arg(name));
+    else
+        m_files.tell(tr("%1 imported").arg(name));
 }
 
 void HairExchange::installBlenderAddon()

@@ -3,8 +3,10 @@
 
 #include "app/importer/image_channels.h"
 #include "app/importer/image_light.h"
+#include "app/importer/jpeg_inks.h"
 #include "app/importer/png_chunks.h"
 #include "app/importer/stored_tags.h"
+#include "app/importer/unread_formats.h"
 #include "app/importer/webp_input.h"
 #include "model/values/srgb.h"
 
@@ -18,6 +20,8 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 namespace hairpaint::importer {
 
@@ -157,20 +161,28 @@ tl::expected<wire::Image, wire::Reason> readOpened(OIIO::ImageInput& input, cons
     return image;
 }
 
-/// A picture of inks as colours, by its own profile; none where it is none, or has no profile.
-std::optional<wire::Image> readInks(const std::string& path, const OIIO::ImageSpec& spec)
+/// A picture of inks as colours; none where it is none, or the library's own colours are right, as there is no profile.
+std::optional<tl::expected<wire::Image, wire::Reason>> readInks(const std::string& path, const OIIO::ImageSpec& spec)
 {
+    if (const std::string space = spec.get_string_attribute("jpeg:ColorSpace"); space == "CMYK" || space == "YCbCrK") {
+        auto jpeg = readJpegInks(path);
+        if (jpeg) {
+            toSrgb(*jpeg, profileOf(spec), true);
+            makeUpright(*jpeg, spec.get_int_attribute("Orientation", 1));
+        }
+        return jpeg;
+    }
     if (!OIIO::Strutil::iequals(spec.get_string_attribute("tiff:ColorSpace"), "CMYK") || profileOf(spec).empty())
         return std::nullopt;
     const auto input = openImage(path, true);
     if (!input || input->spec().nchannels < 4)
         return std::nullopt;
     auto image = readSamples(*input, {.channels = {.colours = {0, 1, 2, 3}}});
-    if (!image)
-        return std::nullopt;
-    toSrgb(*image, profileOf(spec), true);
-    makeUpright(*image, spec.get_int_attribute("Orientation", 1));
-    return *std::move(image);
+    if (image) {
+        toSrgb(*image, profileOf(spec), true);
+        makeUpright(*image, spec.get_int_attribute("Orientation", 1));
+    }
+    return image;
 }
 
 /// A TIFF without tag 258, with it.
@@ -190,6 +202,11 @@ tl::expected<wire::Image, wire::Reason> readBilevel(const std::string& path, con
     if (!input || !input->set_ioproxy(&proxy) || !input->open("bilevel.tif", spec, config))
         return tl::unexpected(wire::Reason::Damaged);
     return readOpened(*input, tags, isColour);
+}
+
+tl::expected<wire::Image, wire::Refusal> asAnswer(tl::expected<wire::Image, wire::Reason> image)
+{
+    return std::move(image).map_error([](wire::Reason reason) { return wire::Refusal(reason); });
 }
 
 /// As OpenEXR has it: colours of linear light, multiplied by alpha.
@@ -217,17 +234,27 @@ bool writeFloats(OIIO::ImageOutput& output, const wire::Image& image, bool isCol
 
 } // namespace
 
-tl::expected<wire::Image, wire::Reason> readImage(const std::string& path, bool isColour)
+tl::expected<wire::Image, wire::Refusal> readImage(const std::string& path, bool isColour)
 {
     setGlobals();
     std::ifstream file(asPath(path), std::ios::binary);
     const StoredTags tags = readStoredTags(file);
+    file.clear();
+    file.seekg(0);
+    const std::string_view unread = unreadFormatOf(file);
     file.close();
+    const auto refuse = [](wire::Reason reason, std::string_view detail = {}) {
+        return tl::unexpected(wire::Refusal(reason, std::string(detail)));
+    };
+    if (!unread.empty())
+        return refuse(wire::Reason::UnreadFormat, unread);
     if (tags.lacksMergedPicture)
-        return tl::unexpected(wire::Reason::LayersOnly);
+        return refuse(wire::Reason::LayersOnly);
+    if (tags.hasInks && isColour)
+        return refuse(wire::Reason::InkColours);
     if (auto webp = readWebp(path)) {
         if (!*webp)
-            return tl::unexpected(webp->error());
+            return refuse(webp->error());
         wire::Image image = std::move((*webp)->image);
         if (isColour)
             toSrgb(image, (*webp)->profile);
@@ -235,17 +262,17 @@ tl::expected<wire::Image, wire::Reason> readImage(const std::string& path, bool 
         return image;
     }
     if (tags.lacksBitsPerSample)
-        return readBilevel(path, tags, isColour);
+        return asAnswer(readBilevel(path, tags, isColour));
     const auto input = openImage(path, false);
     if (!input) {
         std::error_code unreadable;
         const bool there = std::filesystem::exists(asPath(path), unreadable);
-        return tl::unexpected(there ? reasonOf(OIIO::geterror()) : wire::Reason::CannotOpen);
+        return refuse(there ? reasonOf(OIIO::geterror()) : wire::Reason::CannotOpen);
     }
     if (isColour)
-        if (std::optional<wire::Image> image = readInks(path, input->spec()))
-            return *std::move(image);
-    return readOpened(*input, tags, isColour);
+        if (auto image = readInks(path, input->spec()))
+            return asAnswer(*std::move(image));
+    return asAnswer(readOpened(*input, tags, isColour));
 }
 
 tl::expected<wire::Bytes, wire::Reason> encodeImageFile(const wire::EncodeRequest& request, bool isColour)

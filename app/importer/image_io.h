@@ -9,7 +9,7 @@ namespace hairpaint::importer {
 
 /// `path`: UTF-8. The first image of the file as 16-bit unassociated samples: grey or RGB, with alpha where it has
 /// some. `isColour`: in sRGB, whatever light or profile the file has them in; else its numbers are taken as they are.
-[[nodiscard]] tl::expected<wire::Image, wire::Reason> readImage(const std::string& path, bool isColour);
+[[nodiscard]] tl::expected<wire::Image, wire::Refusal> readImage(const std::string& path, bool isColour);
 
 /// The file's bytes, for an ending such as "png". `isColour`: it holds sRGB, which becomes linear light in a format of
 /// floats.

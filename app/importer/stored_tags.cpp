@@ -176,6 +176,8 @@ void readPsd(FileBytes& bytes, StoredTags& tags)
 {
     constexpr std::uint64_t kHeader = 26;
     constexpr std::uint64_t kVersionInfo = 1057;
+    constexpr std::uint64_t kCmyk = 4;
+    tags.hasInks = bytes.number(24, 2, true) == kCmyk;
     const std::uint64_t resources = kHeader + 4 + bytes.number(kHeader, 4, true);
     const std::uint64_t end = resources + 4 + bytes.number(resources, 4, true);
     std::uint64_t at = resources + 4;

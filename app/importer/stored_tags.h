@@ -15,6 +15,7 @@ struct StoredTags
     bool fourthIsNoAlpha = false;    ///< The bytes behind the colours have no meaning as alpha (BMP, TIFF).
     bool lowIsWhite = false;         ///< TIFF's photometric 0.
     bool lacksMergedPicture = false; ///< PSD saved without the picture that its layers make.
+    bool hasInks = false;            ///< PSD whose colours are CMYK.
     bool lacksBitsPerSample = false; ///< TIFF without tag 258, whose default is 1.
     friend bool operator==(const StoredTags&, const StoredTags&) = default;
 };

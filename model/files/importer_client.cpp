@@ -79,6 +79,13 @@ QString reasonText(const wire::Refusal& refusal)
     case wire::Reason::LayersOnly:
         return say(QT_TRANSLATE_NOOP("Files", "it holds layers without the picture that they make; save it with "
                                               "“Maximize compatibility” on, or as PNG or TIFF, and try again"));
+    case wire::Reason::InkColours:
+        return say(QT_TRANSLATE_NOOP("Files", "its colours are inks (CMYK), which are read of TIFF and JPEG alone; "
+                                              "convert it to RGB, or save it as TIFF, and try again"));
+    case wire::Reason::UnreadFormat:
+        return say(QT_TRANSLATE_NOOP("Files", "its format, %1, is not read here; save it as PNG or TIFF in the program "
+                                              "that made it, and try again"))
+            .arg(shownPath(QString::fromStdString(refusal.detail)));
     case wire::Reason::OutOfMemory:
         return say(QT_TRANSLATE_NOOP("Files", "there was not enough memory for it; try a smaller one"));
     case wire::Reason::MissingFile:

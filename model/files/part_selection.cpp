@@ -173,6 +173,11 @@ Checked<ChosenHead> headOfParts(const RiggedMesh& source, bool ownLayout)
     if (!tiles.isEmpty() && !ownLayout)
         chosen.remarks.append(
             say(QT_TRANSLATE_NOOP("Files", "its uv tiles lie side by side on the maps: 1001, %1")).arg(quoted(tiles)));
+    if (const std::optional<int> shared = chosen.mesh.tiles.shared(); shared && !ownLayout)
+        chosen.remarks.append(say(QT_TRANSLATE_NOOP("Files", "several of its parts have a layout of their own "
+                                                             "in uv tile %1, so these lie side by side on the "
+                                                             "maps"))
+                                  .arg(*shared));
     if (const LayoutOverlap overlap = overlapOf(head); !ownLayout && overlap.fraction > kNotableOverlap)
         chosen.remarks.append(
             (overlap.isMirrored

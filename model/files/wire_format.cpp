@@ -143,7 +143,8 @@ bool readJoints(Reader& reader, model::HeadSkeleton& skeleton)
 
 bool isLaterReason(std::uint32_t reason)
 {
-    return reason == static_cast<std::uint32_t>(Reason::LayersOnly);
+    return reason >= static_cast<std::uint32_t>(Reason::LayersOnly) &&
+           reason <= static_cast<std::uint32_t>(Reason::UnreadFormat);
 }
 
 template<typename Text>
@@ -447,7 +448,8 @@ std::optional<Refusal> decodeRefusal(std::span<const std::byte> body)
         (reason > static_cast<std::uint32_t>(Reason::Malformed) && !isLaterReason(reason)))
         return std::nullopt;
     Refusal refusal(static_cast<Reason>(reason));
-    if (refusal.reason >= Reason::MissingFile && refusal.reason <= Reason::Malformed) {
+    if ((refusal.reason >= Reason::MissingFile && refusal.reason <= Reason::Malformed) ||
+        refusal.reason == Reason::UnreadFormat) {
         std::optional<std::string> name = decodePath(reader.rest());
         if (!name || name->size() > kLongestName)
             return std::nullopt;

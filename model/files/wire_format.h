@@ -49,7 +49,9 @@ enum class Reason : std::uint32_t
     UnknownExtension = 12,     ///< An extension that the model can't be read without is not known;
     UndecodedCompression = 13, ///< or the compression that it names can't be decoded.
     Malformed = 14,            ///< It breaks its format's rules, and how is told in English.
-    LayersOnly = 30            ///< The file has layers, but not the picture that they make together.
+    LayersOnly = 30,           ///< The file has layers, but not the picture that they make together.
+    InkColours = 31,           ///< Its colours are inks, in a format of which inks are not read.
+    UnreadFormat = 32          ///< A format that is known, and not read.
 };
 
 /// Why there is no other answer.
@@ -57,7 +59,7 @@ struct Refusal
 {
     Reason reason;
     /// UTF-8, as part of a sentence: the file that `reason` is about (without folders), the extension, the compression,
-    /// or how the rules are broken; empty for all other reasons.
+    /// how the rules are broken, or the format's name; empty for all other reasons.
     std::string detail;
     Refusal(Reason why, std::string told = {}) : reason(why), detail(std::move(told)) {}
     friend bool operator==(const Refusal&, const Refusal&) = default;

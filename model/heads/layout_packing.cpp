@@ -5,6 +5,7 @@
 #include "model/values/srgb.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -14,6 +15,7 @@ namespace hairpaint::model {
 namespace {
 
 constexpr int kCoverSide = 256;
+using Cover = std::bitset<std::size_t{kCoverSide} * kCoverSide>;
 
 /// Parts that lie on one square of uvs.
 struct Layout
@@ -21,52 +23,48 @@ struct Layout
     glm::ivec2 tile{0};
     std::int32_t texture = -1;
     glm::vec3 colour{1.0F};
-    std::vector<bool> covered;
     std::vector<std::size_t> parts;
 };
 
-std::vector<bool> coverOf(const RiggedMesh& mesh, const PartRange& range)
+Cover coverOf(const RiggedMesh& mesh, const PartRange& range)
 {
-    std::vector<bool> covered(std::size_t{kCoverSide} * kCoverSide);
+    Cover covered;
     for (std::size_t t = range.firstTriangle; t < range.firstTriangle + range.triangles; ++t)
-        eachTexelOf(mesh, mesh.triangles[t], kCoverSide, [&covered](std::size_t texel) { covered[texel] = true; });
+        eachTexelOf(mesh, mesh.triangles[t], kCoverSide, [&covered](std::size_t texel) { covered.set(texel); });
     return covered;
 }
 
-bool fits(const Layout& layout, const MeshPart& part, const std::vector<bool>& covered)
+/// Beside all of its parts: none of them, nor this one, lies notably under the other, however small it is.
+bool fits(const Layout& layout, const MeshPart& part, const Cover& covered, std::span<const Cover> covers)
 {
     if (layout.tile != part.tile || (layout.texture != part.texture && layout.texture >= 0 && part.texture >= 0))
         return false;
-    std::size_t own = 0;
-    std::size_t both = 0;
-    for (std::size_t i = 0; i < covered.size(); ++i) {
-        own += covered[i] ? 1 : 0;
-        both += covered[i] && layout.covered[i] ? 1 : 0;
-    }
-    return static_cast<double>(both) <= kNotableOverlap * static_cast<double>(own);
+    const std::size_t own = covered.count();
+    return std::ranges::all_of(layout.parts, [&](std::size_t other) {
+        const std::size_t smaller = std::min(own, covers[other].count());
+        const std::size_t both = (covered & covers[other]).count();
+        return static_cast<double>(both) <= kNotableOverlap * static_cast<double>(smaller);
+    });
 }
 
 std::vector<Layout> layoutsOf(const RiggedMesh& mesh, std::span<const MeshPart> grown,
                               std::span<const PartRange> ranges)
 {
     std::vector<Layout> layouts;
+    std::vector<Cover> covers;
+    covers.reserve(grown.size());
     for (std::size_t i = 0; i < grown.size(); ++i) {
-        std::vector<bool> covered = coverOf(mesh, ranges[i]);
-        auto layout = std::ranges::find_if(layouts, [&](const Layout& one) { return fits(one, grown[i], covered); });
+        covers.push_back(coverOf(mesh, ranges[i]));
+        auto layout =
+            std::ranges::find_if(layouts, [&](const Layout& one) { return fits(one, grown[i], covers[i], covers); });
         if (layout == layouts.end()) {
-            layouts.push_back({.tile = grown[i].tile,
-                               .texture = -1,
-                               .colour = grown[i].colour,
-                               .covered = std::vector<bool>(covered.size()),
-                               .parts = {}});
+            layouts.push_back({.tile = grown[i].tile, .texture = -1, .colour = grown[i].colour, .parts = {}});
             layout = layouts.end() - 1;
         }
         if (grown[i].texture >= 0) {
             layout->texture = grown[i].texture;
             layout->colour = grown[i].colour;
         }
-        for (std::size_t texel = 0; texel < covered.size(); ++texel)
-            layout->covered[texel] = layout->covered[texel] || covered[texel];
         layout->parts.push_back(i);
     }
     std::ranges::stable_sort(layouts, {}, [](const Layout& one) { return std::pair(one.tile.y, one.tile.x); });

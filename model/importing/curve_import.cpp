@@ -8,6 +8,8 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
+
 namespace hairpaint::model {
 
 namespace {
@@ -77,17 +79,29 @@ tl::unexpected<Error> fitsNotAsTold(const QString& path)
 
 } // namespace
 
+QString unreadFiles(const QStringList& names)
+{
+    constexpr qsizetype kMost = 4;
+    QString text = names.first(std::min(kMost, names.size())).join(QStringLiteral(", "));
+    if (names.size() > kMost)
+        text += QStringLiteral(", ...");
+    return say(QT_TRANSLATE_NOOP("Files",
+                                 "not read, so hair that is in there is missing: %1; save it as USD text in the "
+                                 "same folder"))
+        .arg(shownPath(text));
+}
+
 Result<std::vector<HairGroup>> groupsFromCurves(const QString& path, const CurveSpaceChoice& choice,
                                                 const std::shared_ptr<const Head>& head, const Progress& progress,
-                                                std::size_t* leftOut)
+                                                CurveRemarks* remarks)
 {
     using Groups = std::vector<HairGroup>;
     return withinMemory(path, cannotOpen, [&]() -> Result<Groups> {
         Result<ForeignCurves> curves = readCurves(path, partOfImport(progress, 0.0, kCurvesRead));
         if (!curves)
             return tl::unexpected(curves.error());
-        if (leftOut != nullptr)
-            *leftOut = curves->leftOut;
+        if (remarks != nullptr)
+            *remarks = {.leftOut = curves->leftOut, .unread = curves->unread};
         mergeMany(*curves);
         turnTipFirst(*curves, choice, *head->skin);
         const std::optional<CurveTransform> transform = fitCurves(*curves, choice, *head->skin);

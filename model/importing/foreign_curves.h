@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <QString>
+#include <QStringList>
 
 #include <cstdint>
 #include <optional>
@@ -47,6 +48,7 @@ struct ForeignCurves
     std::optional<float> metresPerUnit; ///< None where the file does not tell.
     std::optional<UpAxis> upAxis;
     std::size_t leftOut = 0; ///< Strands of one point, or with a point that is none.
+    QStringList unread;      ///< Other files that it names, and that were not read.
 };
 
 /// A file may hold so many; more than any groom, and some 800 MB.

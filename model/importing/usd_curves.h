@@ -32,10 +32,7 @@ struct UsdCurves
     std::string_view wrap = "nonperiodic";
     std::string_view type = "cubic"; ///< Unless told.
     std::string_view basis = "bezier";
-    std::map<std::string_view, std::string_view> variants; ///< The chosen one of each set.
-    std::string path;                                      ///< "/Hair/Locks"
     QString groupName;
-    bool isHidden = false;
 };
 
 /// A group for each group id; none where its counts do not agree. Strands that are none are kept, for the caller.

@@ -48,22 +48,4 @@ UsdOpener usdFilesBeside(const QString& path)
     };
 }
 
-bool UsdLayers::open(const UsdReference& reference, const QString& from, std::optional<UsdLayer>& layer)
-{
-    const bool isItself = reference.asset.isEmpty();
-    if (count++ < kMost && opener && !isItself)
-        layer = opener(reference.asset, from);
-    const bool isOpen = layer || (isItself && count <= kMost);
-    if (!isOpen)
-        leave(reference);
-    return isOpen;
-}
-
-void UsdLayers::leave(const UsdReference& reference)
-{
-    const QString name = reference.asset.isEmpty() ? QString::fromStdString(reference.prim) : reference.asset;
-    if (!unread.contains(name))
-        unread.append(name);
-}
-
 } // namespace hairpaint::model

@@ -5,7 +5,6 @@
 
 #include <QByteArray>
 #include <QString>
-#include <QStringList>
 
 #include <functional>
 #include <optional>
@@ -18,6 +17,8 @@ struct UsdReference
 {
     QString asset;    ///< As it is written; empty: the layer itself.
     std::string prim; ///< "/Hair/Locks"; empty: the layer's default prim.
+
+    friend bool operator==(const UsdReference&, const UsdReference&) = default;
 };
 /// One, or a list; what else stands there is passed over.
 [[nodiscard]] std::vector<UsdReference> readReferences(UsdScanner& scanner);
@@ -33,19 +34,5 @@ using UsdOpener = std::function<std::optional<UsdLayer>(const QString& asset, co
 
 /// Files in the folder of this one and below.
 [[nodiscard]] UsdOpener usdFilesBeside(const QString& path);
-
-/// What the layers of one stage share.
-struct UsdLayers
-{
-    static constexpr int kMost = 64; ///< Layers, each counted as often as it is named.
-
-    UsdOpener opener;
-    int count = 0;
-    QStringList unread; ///< What was named and not read.
-
-    /// Into `layer`, or nothing where it is the one at `from` itself. False where it is not read.
-    [[nodiscard]] bool open(const UsdReference& reference, const QString& from, std::optional<UsdLayer>& layer);
-    void leave(const UsdReference& reference);
-};
 
 } // namespace hairpaint::model

@@ -10,12 +10,11 @@
 
 namespace hairpaint::model {
 
-/// Reads points, widths and displayColor (per point, per curve or for all) of every visible BasisCurves, moved as their
-/// prims are, and the stage's unit and up axis. Cubic curves become lines through what they run through. Of animated
-/// ones the first moment. Layers, references and payloads are followed as far as `opener` opens them, and so is what
-/// inherits, but opinions on other layers' prims count only of transforms and of what is hidden. Of variants the chosen
-/// ones. Curves that are guides are only there where all are. None inside where `progress` cancels. Throws
-/// std::bad_alloc.
+/// Reads points, widths, colours and groom attributes of every visible BasisCurves of the stage, moved as their prims
+/// are, and the stage's unit and up axis. What several layers say of a prim is composed by the standard's strength:
+/// local opinions, then inherits, variants, references, payloads, specializes; layers, references and payloads as far
+/// as `opener` opens them. Cubic curves become lines through what they run through. Of animated ones the first moment.
+/// Curves that are guides are only there where all are. None inside where `progress` cancels. Throws std::bad_alloc.
 [[nodiscard]] Checked<std::optional<ForeignCurves>> readUsdText(const QByteArray& text, const Progress& progress = {},
                                                                 const UsdOpener& opener = {});
 

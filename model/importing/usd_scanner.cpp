@@ -1,6 +1,8 @@
 // USD text character by character.
 #include "model/importing/usd_scanner.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace hairpaint::model {
@@ -16,6 +18,18 @@ bool isOfWord(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == ':' ||
            c == '.';
+}
+
+/// Of a nested value: brackets, texts, names of files and prims, comments.
+bool opensOrCloses(char c)
+{
+    static constexpr auto kSuch = [] {
+        std::array<bool, 256> such{};
+        for (const unsigned char each : {'[', ']', '(', ')', '{', '}', '"', '\'', '@', '<', '#'})
+            such[each] = true;
+        return such;
+    }();
+    return kSuch[static_cast<unsigned char>(c)];
 }
 
 } // namespace
@@ -189,12 +203,12 @@ void UsdScanner::skipValue()
             skipUntil(">");
             break;
         default:
-            if (const auto isPlain = [](char c) { return isOfWord(c) || c == '-' || c == '+'; }; isPlain(next)) {
-                // Arrays are long: passed over at once.
+            if (depth > 0) { // Arrays are long: passed over at once.
+                while (m_at < m_text.size() && !opensOrCloses(m_text[m_at]))
+                    ++m_at;
+            } else if (const auto isPlain = [](char c) { return isOfWord(c) || c == '-' || c == '+'; }; isPlain(next)) {
                 while (m_at < m_text.size() && isPlain(m_text[m_at]))
                     ++m_at;
-            } else if (depth > 0) {
-                ++m_at;
             } else {
                 m_broken = true;
             }

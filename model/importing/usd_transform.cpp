@@ -4,12 +4,15 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include <algorithm>
+
 namespace hairpaint::model {
 
 namespace {
 
 constexpr std::string_view kPrefix = "xformOp:";
 constexpr std::string_view kInvert = "!invert!";
+constexpr std::string_view kReset = "!resetXformStack!";
 
 /// "rotateXYZ" turns round x first.
 std::optional<glm::mat4> rotationOf(std::string_view axes, std::span<const float> degrees)
@@ -64,10 +67,19 @@ bool UsdTransform::addOperation(std::string_view name, std::span<const float> va
     return matrix.has_value();
 }
 
+bool UsdTransform::leavesParent() const
+{
+    return std::ranges::find(m_order, kReset) != m_order.end();
+}
+
 std::optional<glm::mat4> UsdTransform::toParent() const
 {
     glm::mat4 all(1.0F);
     for (std::string_view name : m_order) {
+        if (name == kReset) { // What stands before it does not count.
+            all = glm::mat4(1.0F);
+            continue;
+        }
         const bool inverts = name.starts_with(kInvert);
         if (inverts)
             name.remove_prefix(kInvert.size());

@@ -18,9 +18,10 @@ class UsdTransform
 public:
     /// `name`: "xformOp:translate". False where such an operation is not known, or has not so many values.
     [[nodiscard]] bool addOperation(std::string_view name, std::span<const float> values);
-    [[nodiscard]] bool isTold() const { return !m_order.empty(); }
     void addToOrder(std::string_view name) { m_order.emplace_back(name); }
-    /// From the prim's space to its parent's. None where the order names what is not there, or leaves the parent out.
+    /// It stands as it says itself, wherever its parent does.
+    [[nodiscard]] bool leavesParent() const;
+    /// From the prim's space to its parent's, or to the stage's. None where the order names what is not there.
     [[nodiscard]] std::optional<glm::mat4> toParent() const;
 
 private:

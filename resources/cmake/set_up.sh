@@ -7,7 +7,7 @@ HAIRPAINT_PACKAGES=(
     libgl-dev libegl-dev libgl1-mesa-dri libegl1 libepoxy-dev libxkbcommon-dev
     libglm-dev libeigen3-dev libhwy-dev libtbb-dev libnanoflann-dev libexpected-dev libzip-dev zlib1g-dev libdeflate-dev
     libopenexr-dev libopenimageio-dev openimageio-tools libassimp-dev nlohmann-json3-dev libseccomp-dev
-    liblcms2-dev libwebp-dev
+    liblcms2-dev libwebp-dev libjpeg-dev
     libtinygltf-dev libmeshoptimizer-dev libdraco-dev
     qt6-translations-l10n fonts-inter fonts-noto-core
 )

@@ -207,6 +207,13 @@ int main(int argc, char** argv)
                 "\"!invert!xformOp:rotateX\"]\ndef BasisCurves \"b\" {\nint[] curveVertexCounts = [4]\n"
                 "point3f[] points.timeSamples = {0: [(0,0,0),(0,1,0),(0,2,0),(0,3,0)], 1: None}\n"
                 "uniform token basis = \"bspline\"\nfloat[] widths = [0.1]\n}\n}\n");
+    const char layers[] =
+        "(\nsubLayers = [ @b@ ]\n)\nover \"a\" (\nreferences = @b@</c>\nvariants = { string v = \"x\" }\n)\n"
+        "{\npoint3f[] points = [(0,0,0),(0,2,0)]\nvariantSet \"v\" = { \"x\" ( inherits = </d> ) {\n"
+        "float[] widths = [0.2]\n} }\n}\nclass \"d\" {\nuniform token type = \"linear\"\n}\n\0"
+        "def \"a\" {\n}\ndef BasisCurves \"c\" (\nprepend payload = @a@</d>\n) {\n"
+        "int[] curveVertexCounts = [2]\ntoken visibility = \"inherited\"\n}\n";
+    seeds.write("usd", "layers", QByteArray(layers, sizeof layers - 1));
 
     seeds.write("wire", "path", bytesOf(wire::encodeText(wire::Kind::ReadImage, "/a/b.png"), '\0'));
     const wire::Image image{.width = 2, .height = 2, .channels = 3, .samples = std::vector<std::uint16_t>(12, 7)};

@@ -26,6 +26,7 @@ struct TiffSample
     quint16 photometric = 1;
     int extra = -1; ///< -1: no tag of extra samples.
     bool tellsBits = true;
+    QByteArray profile = {}; ///< ICC; even in length.
     QByteArray data = {};
 };
 
@@ -42,10 +43,11 @@ inline QByteArray tiff(const TiffSample& sample)
     if (data.size() % 2 != 0)
         data += '\0';
     const auto bitsAt = static_cast<quint32>(8 + data.size());
-    put(bytes, bitsAt + 8);
+    put(bytes, static_cast<quint32>(bitsAt + 8 + sample.profile.size()));
     bytes += data;
     for (int i = 0; i < 4; ++i)
         put(bytes, sample.bits);
+    bytes += sample.profile;
     QList<Entry> entries{{256, 4, 1, sample.width}, {257, 4, 1, sample.height}};
     if (sample.tellsBits)
         entries += Entry{258, 3, sample.samples,
@@ -60,6 +62,8 @@ inline QByteArray tiff(const TiffSample& sample)
                 {279, 4, 1, static_cast<quint32>(sample.data.size())}};
     if (sample.extra >= 0)
         entries += Entry{338, 3, 1, static_cast<quint32>(sample.extra)};
+    if (!sample.profile.isEmpty())
+        entries += Entry{34675, 7, static_cast<quint32>(sample.profile.size()), bitsAt + 8};
     put(bytes, static_cast<quint16>(entries.size()));
     for (const Entry& entry : entries) {
         put(bytes, entry.tag);

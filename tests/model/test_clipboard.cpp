@@ -50,6 +50,8 @@ private Q_SLOTS:
     void mapsOfAnotherSizeGetTheSameArea();
     void lockedLayersAreNotPastedInto();
     void otherProgramsSeeWhatWasCopied();
+    void anImageWithASoftEdgeIsLaidOverAColour_data();
+    void anImageWithASoftEdgeIsLaidOverAColour();
     void anImageIsFittedIntoItsArea();
 };
 
@@ -245,6 +247,36 @@ void TestClipboard::otherProgramsSeeWhatWasCopied()
     QCOMPARE(qAlpha(imageFromClip(copyClip(document, firstLayer(document, MapKind::Length), selection)).pixel(5, 5)),
              0);
     QVERIFY(imageFromClip({}).isNull());
+}
+
+void TestClipboard::anImageWithASoftEdgeIsLaidOverAColour_data()
+{
+    QTest::addColumn<int>("alpha");
+    QTest::addColumn<QColor>("expected"); // Of #804000 over #8a4b2a.
+    QTest::newRow("nothing of it") << 0 << QColor(138, 75, 42);
+    QTest::newRow("a fifth") << 51 << QColor(136, 73, 34);
+    QTest::newRow("half") << 128 << QColor(133, 69, 21);
+    QTest::newRow("all") << 255 << QColor(128, 64, 0);
+}
+
+void TestClipboard::anImageWithASoftEdgeIsLaidOverAColour()
+{
+    QFETCH(int, alpha);
+    QFETCH(QColor, expected);
+    QImage image(256, 256, QImage::Format_ARGB32);
+    image.fill(QColor(128, 64, 0, alpha));
+    Document document(patchProject());
+    const LayerAddress colour = firstLayer(document, MapKind::Colour);
+    const sim::Texel below{138 * 257, 75 * 257, 42 * 257, 65535};
+    document.push(fillCommand(document, colour, {}, below, QStringLiteral("Fill")));
+    const Clip clip = clipFromImage(image, MapKind::Colour, false, 256, QRectF(0.0, 0.0, 1.0, 1.0));
+    document.push(pasteCommand(document, colour, clip, {}));
+    const sim::Texel texel = rasterOf(document, MapKind::Colour).texel(128, 128);
+    QCOMPARE(int{texel[3]}, 65535);
+    const QColor found(texel[0] / 257, texel[1] / 257, texel[2] / 257);
+    QVERIFY2(std::abs(found.red() - expected.red()) <= 1 && std::abs(found.green() - expected.green()) <= 1 &&
+                 std::abs(found.blue() - expected.blue()) <= 1,
+             qPrintable(found.name()));
 }
 
 void TestClipboard::anImageIsFittedIntoItsArea()

@@ -3,7 +3,9 @@
 #include "model/files/glb.h"
 #include "model/files/glb_writing.h"
 #include "model/files/map_source.h"
+#include "model/files/part_selection.h"
 #include "model/files/tile_names.h"
+#include "model/heads/layout_packing.h"
 #include "model/heads/part_choice.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/character.h"
@@ -67,6 +69,40 @@ private Q_SLOTS:
         const RiggedMesh over = arranged(ballsIn({{1, 0}, {1, 0}}));
         QCOMPARE(over.tiles.shared(), std::optional(1002));
         QVERIFY(!made.tiles.shared());
+    }
+
+    void partsThatShareATileLieSideBySideWhereTheyOverlap_data()
+    {
+        QTest::addColumn<float>("left"); // The smaller one's, of a twentieth of the side; the larger one begins at 1/2.
+        QTest::addColumn<bool>("smallIsFirst");
+        QTest::addColumn<int>("cells");
+        QTest::newRow("beside it") << 0.2F << false << 1;
+        QTest::newRow("beside it, first") << 0.2F << true << 1;
+        QTest::newRow("over it") << 0.7F << false << 2;
+        QTest::newRow("under it") << 0.7F << true << 2; // Of the larger one it is a hundredth.
+    }
+    void partsThatShareATileLieSideBySideWhereTheyOverlap()
+    {
+        QFETCH(float, left);
+        QFETCH(bool, smallIsFirst);
+        QFETCH(int, cells);
+        RiggedMesh mesh;
+        for (const bool isSmall : {smallIsFirst, !smallIsFirst}) {
+            const std::size_t first = mesh.uvs.size();
+            addBall(mesh, {isSmall ? 0.3F : 0.0F, 0.0F, 0.0F}, 0.1F, 8);
+            for (glm::vec2& uv : std::span(mesh.uvs).subspan(first))
+                uv = isSmall ? glm::vec2(left, 0.4F) + 0.05F * uv : glm::vec2(0.5F, 0.0F) + glm::vec2(0.5F, 1.0F) * uv;
+            closePart(mesh, isSmall ? "Small" : "Large", "");
+        }
+        mesh.skeleton = {};
+        const RiggedMesh made = arranged(mesh);
+        QCOMPARE(made.tiles, UvTiles(std::vector<int>(static_cast<std::size_t>(cells), 1001)));
+        QCOMPARE(overlapOf(made).fraction, 0.0);
+        const Checked<ChosenHead> head = headOfParts(mesh, false);
+        QVERIFY(head);
+        QCOMPARE(head->remarks.size(), cells == 2 ? 1 : 0);
+        if (cells == 2)
+            QVERIFY2(head->remarks.front().contains(QStringLiteral("1001")), qPrintable(head->remarks.front()));
     }
 
     void whatIsNoListOfTilesIsOneMap_data()
