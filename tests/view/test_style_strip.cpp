@@ -6,6 +6,7 @@
 #include "view/panels/hair_panel.h"
 #include "view/panels/layers_panel.h"
 
+#include <QPointer>
 #include <QSignalSpy>
 
 using namespace hairpaint;
@@ -70,6 +71,25 @@ private Q_SLOTS:
         QVERIFY(focused != nullptr && focused->path() == QLatin1String("waves"));
         f.strip.setEntries({entry("bob")}); // It has been deleted.
         QVERIFY(f.strip.isAncestorOf(QApplication::focusWidget()));
+    }
+
+    void styles_may_be_read_again_while_one_of_them_is_being_asked()
+    {
+        StripFixture f;
+        f.strip.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&f.strip));
+        const QPointer<StyleTile> asked = &f.tile(1);
+        bool isThere = false;
+        connect(&f.strip, &StyleStrip::ordered, &f.strip, [&] {
+            f.strip.setEntries({});
+            isThere = asked != nullptr;
+        });
+        asked->setFocus();
+        QTest::keyClick(asked, Qt::Key_I, Qt::ControlModifier);
+        QVERIFY(isThere); // What it sent has not returned yet.
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QVERIFY(asked == nullptr);
+        QCOMPARE(f.strip.findChildren<StyleTile*>().size(), qsizetype{1}); // "Save style".
     }
 
     void passing_by_quickly_shows_nothing()

@@ -14,6 +14,7 @@
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <utility>
 
 namespace hairpaint::view {
 
@@ -62,8 +63,12 @@ void StyleRow::setTiles(const std::vector<StyleTile*>& tiles)
     while (QLayoutItem* item = m_row->takeAt(0))
         delete item;
     m_shown.clear();
-    for (StyleTile* old : m_tiles)
-        delete old;
+    // First taken from the list: a tile that goes hands the keys on, which asks the others. One may be the sender of
+    // what has led here.
+    for (StyleTile* old : std::exchange(m_tiles, {})) {
+        old->setParent(nullptr);
+        old->deleteLater();
+    }
     m_tiles = tiles;
     QWidget* before = this;
     for (StyleTile* one : m_tiles) {
