@@ -57,7 +57,8 @@ enum class GradientKind : std::uint8_t
     Radial
 };
 
-/// What D sets the values of all maps to: 15 of 30 cm, a plait, chestnut, ...; and the ones that X swaps in.
+/// What maps are painted with at first: half of the length's range, a plait, chestnut, ...; and the ones that X swaps
+/// in.
 [[nodiscard]] std::array<PaintValue, kMapKindCount> firstPaintValues();
 [[nodiscard]] std::array<PaintValue, kMapKindCount> secondPaintValues();
 

@@ -3,6 +3,8 @@
 #include "tests/view/strip_fixture.h"
 #include "view/panels/handle_panel.h"
 
+#include <QComboBox>
+
 using namespace hairpaint;
 using namespace hairpaint::view;
 using model::MapKind;
@@ -135,6 +137,18 @@ private Q_SLOTS:
         QCOMPARE(f.longestM(), quarterM);
         f.document.undo();
         QCOMPARE(f.longestM(), wholeM);
+    }
+
+    void the_slider_is_of_the_next_style_once_another_part_is_chosen()
+    {
+        HandleFixture f;
+        f.click(1);
+        const std::vector<model::HairGroup> before = f.document.project().groups;
+        const int steps = f.steps();
+        f.strip.findChild<QComboBox*>(QStringLiteral("stylePart"))->setCurrentIndex(1);
+        f.setTo(f.fraction, 0.3);
+        QVERIFY(sameGroups(f.document.project().groups, before));
+        QCOMPARE(f.steps(), steps);
     }
 
     void hair_that_was_painted_since_is_left_alone()

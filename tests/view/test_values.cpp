@@ -17,6 +17,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -198,6 +199,26 @@ private Q_SLOTS:
         const auto clump =
             static_cast<double>(model::ToolSettings(f.state.tools().settings()).value(MapKind::Clump).scalar);
         QCOMPARE(slider->value(), std::round(shownValue({}, MapKind::Clump, clump)));
+    }
+
+    void hair_or_skin_is_asked_where_a_tool_knows_both()
+    {
+        PanelFixture f;
+        OptionBar bar(f.state);
+        f.state.tools().choose(model::ToolId::Comb);
+        const auto isAsked = [&](model::CombKind kind) {
+            model::ToolSettings settings = f.state.tools().settings();
+            settings.comb = kind;
+            f.state.tools().setSettings(settings);
+            const QList<QToolButton*> all = bar.findChildren<QToolButton*>();
+            const auto skin = std::ranges::find_if(all, [](const QToolButton* one) {
+                return one->accessibleName().startsWith(QStringLiteral("On the skin"));
+            });
+            return skin != all.end() && (*skin)->isEnabled();
+        };
+        QVERIFY(isAsked(model::CombKind::Lay));
+        QVERIFY(!isAsked(model::CombKind::Whorl));
+        QVERIFY(!isAsked(model::CombKind::Hold));
     }
 
     void what_is_no_colour_is_said_and_the_true_one_comes_back()

@@ -184,6 +184,12 @@ private Q_SLOTS:
         QVERIFY(f.all() == all);
         QVERIFY(f.stack().text(0).startsWith(QStringLiteral("Brush")));
         QCOMPARE(f.editor.state.options().chosenWorn(), 0); // Let go of by the press.
+        // Nor is it in reach by its outline and its handles, which are seen when it is chosen.
+        f.editor.state.options().setChosenWorn(all.back().id);
+        const QPoint rim = f.shown(behind + 0.015F * kRight).toPoint();
+        f.drag(rim, rim + QPoint(6, 6));
+        QVERIFY(f.all() == all);
+        QVERIFY(f.stack().text(1).startsWith(QStringLiteral("Brush")));
     }
 
     void aBallStaysRoundByItsHandles()

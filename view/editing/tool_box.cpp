@@ -13,22 +13,8 @@ namespace hairpaint::view {
 
 using model::MapKind;
 
-namespace {
-
-/// The Length brush is ready with 15 cm.
-model::ToolSettings startSettings(const model::Project& project)
-{
-    model::ToolSettings settings;
-    const float greatest = project.groups.empty() ? 0.3F : project.groups.front().settings.greatestLengthM;
-    settings.value(MapKind::Length).scalar = std::clamp(0.15F / greatest, 0.05F, 1.0F);
-    return settings;
-}
-
-} // namespace
-
 ToolBox::ToolBox(EditTarget& target, const ViewOptions& options, QObject* parent)
-    : QObject(parent), m_target(target), m_options(options), m_tools(model::makeTools()),
-      m_settings(startSettings(target.document().project()))
+    : QObject(parent), m_target(target), m_options(options), m_tools(model::makeTools()), m_settings(startSettings())
 {
     m_active = m_previous = index(with(&model::ToolTraits::isFirst));
     if (const sim::GroupSettings* group = m_target.knownSettings())
@@ -94,6 +80,16 @@ void ToolBox::takeToolsMap()
 bool ToolBox::layingHair() const
 {
     return stroking() && active().map() == MapKind::Direction;
+}
+
+/// The Length brush is ready with 15 cm.
+model::ToolSettings ToolBox::startSettings() const
+{
+    model::ToolSettings settings;
+    const sim::GroupSettings* group = m_target.knownSettings();
+    settings.value(MapKind::Length).scalar =
+        std::clamp(0.15F / (group != nullptr ? group->greatestLengthM : 0.3F), 0.05F, 1.0F);
+    return settings;
 }
 
 bool ToolBox::setSettings(const model::ToolSettings& settings)

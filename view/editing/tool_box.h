@@ -38,6 +38,8 @@ public:
     /// another fraction of it; beyond that range they are at its end until it widens.
     [[nodiscard]] const model::ToolSettings& settings() const { return m_settings; }
     bool setSettings(const model::ToolSettings& settings);
+    /// What a window begins with, for the active group.
+    [[nodiscard]] model::ToolSettings startSettings() const;
     /// Settings and the amounts behind their values, to be put back as they are: also those beyond the group's range.
     struct HeldSettings
     {

@@ -64,7 +64,10 @@ void HeadCover::refresh()
     m_overlay->setShapes(m_editor.tools().overlay(), m_scene.skin(), sight.camera, sight.pose);
     m_overlay->setPictureLine(m_editor.tools().pictureLine());
     m_overlay->setGuides(m_editor.tools().guides(), sight.camera, sight.pose);
-    m_overlay->setWorn(outlinedWorn(m_editor), m_editor.options().chosenWorn(), sight.camera, sight.pose);
+    const model::Id chosen = m_editor.options().chosenWorn();
+    const model::Worn* held = m_editor.document().project().wornThing(chosen);
+    const HeadSight from{.camera = sight.camera, .pose = sight.pose, .size = QSizeF(m_area.size())};
+    m_overlay->setWorn(outlinedWorn(m_editor), chosen, held != nullptr && !isBehindHead(*held, m_scene, from), from);
     m_overlay->setGhost(m_scene.hiddenRing());
     m_directions.refreshSoon();
 }

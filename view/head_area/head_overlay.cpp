@@ -130,12 +130,10 @@ void HeadOverlay::setStrands(std::vector<QPolygonF> strands, const QRectF& ring)
     showIfNeeded();
 }
 
-void HeadOverlay::setWorn(const std::vector<model::Worn>& worn, model::Id chosen, const rendering::Camera& camera,
-                          const sim::HeadPose& pose)
+void HeadOverlay::setWorn(const std::vector<model::Worn>& worn, model::Id chosen, bool inReach, const HeadSight& sight)
 {
     if (worn.empty() && m_wornOutlines.empty())
         return;
-    const HeadSight sight{.camera = camera, .pose = pose, .size = QSizeF(size())};
     m_wornOutlines.clear();
     m_chosen.clear();
     m_chosenEnds.clear();
@@ -143,8 +141,9 @@ void HeadOverlay::setWorn(const std::vector<model::Worn>& worn, model::Id chosen
         std::vector<QPolygonF> outlines = outlinesOf(one.shape, sight);
         if (one.id == chosen) {
             m_chosen = outlines;
-            for (const WornHandle& handle : handlesOf(one, sight))
-                m_chosenEnds.push_back(handle.at);
+            if (inReach)
+                for (const WornHandle& handle : handlesOf(one, sight))
+                    m_chosenEnds.push_back(handle.at);
         }
         std::ranges::move(outlines, std::back_inserter(m_wornOutlines));
     }

@@ -5,6 +5,7 @@
 #include "model/project/worn.h"
 #include "model/tools/tool.h"
 #include "view/head_area/falling_hair.h"
+#include "view/head_area/worn_outline.h"
 #include "view/look/tapered_hair.h"
 #include "view/look/theme.h"
 #include "view/rendering/scene.h"
@@ -48,9 +49,8 @@ public:
     [[nodiscard]] const std::vector<QPolygonF>& strands() const { return m_strands; }
 
     /// Three ellipses for each, as wire: the far half is seen, too; the chosen one stands out, with its axes' ends.
-    /// None: nothing is shown.
-    void setWorn(const std::vector<model::Worn>& worn, model::Id chosen, const rendering::Camera& camera,
-                 const sim::HeadPose& pose);
+    /// Without the ends where it is not in reach. None: nothing is shown.
+    void setWorn(const std::vector<model::Worn>& worn, model::Id chosen, bool inReach, const HeadSight& sight);
     /// In this widget's coordinates.
     [[nodiscard]] const std::vector<QPolygonF>& wornOutlines() const { return m_wornOutlines; }
 

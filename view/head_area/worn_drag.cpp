@@ -54,6 +54,19 @@ std::vector<model::Worn> outlinedWorn(const EditorState& editor)
     return chosen != nullptr ? std::vector{*chosen} : std::vector<model::Worn>();
 }
 
+bool isBehindHead(const model::Worn& worn, const HeadScene& scene, const HeadSight& sight)
+{
+    const std::optional<QPointF> at =
+        wornSpec(worn.kind).drawn() ? scene.positionOf(worn.shape.centreHd) : std::nullopt;
+    const std::optional<sim::SurfacePoint> skin = at ? scene.skinAt(*at) : std::nullopt;
+    if (!skin)
+        return false;
+    const glm::vec3 eyeHd = inHead(rayThrough(sight.camera, *at, sight.size), sight.pose).originHd;
+    const glm::vec3& semiAxesM = worn.shape.semiAxesM;
+    const float reachM = wornSpec(worn.kind).reach * std::max({semiAxesM.x, semiAxesM.y, semiAxesM.z});
+    return glm::distance(eyeHd, skin->positionHd) < glm::distance(eyeHd, worn.shape.centreHd) - reachM;
+}
+
 HeadSight WornDrag::sight() const
 {
     return {.camera = m_scene.camera(), .pose = m_scene.shownPose(), .size = QSizeF(m_area.size())};
@@ -65,13 +78,15 @@ WornDrag::Grip WornDrag::gripAt(QPointF position) const
     const HeadSight now = sight();
     const model::Id chosen = m_editor.options().chosenWorn();
     const model::Worn* handled = m_editor.document().project().wornThing(chosen);
-    if (handled != nullptr)
+    if (handled != nullptr && !isBehindHead(*handled, m_scene, now))
         for (const auto& [end, at] : handlesOf(*handled, now))
             if (std::hypot(at.x() - position.x(), at.y() - position.y()) < kGripPx)
                 return {.id = chosen, .end = end};
     model::Id outlined = 0;
     double nearest = kGripPx;
-    for (const model::Worn& worn : outlinedWorn(m_editor))
+    for (const model::Worn& worn : outlinedWorn(m_editor)) {
+        if (isBehindHead(worn, m_scene, now))
+            continue;
         for (const QPolygonF& outline : outlinesOf(worn.shape, now)) {
             const double distance = distanceTo(outline, position);
             if (distance < kGripPx && chosen == worn.id)
@@ -81,6 +96,7 @@ WornDrag::Grip WornDrag::gripAt(QPointF position) const
                 outlined = worn.id;
             }
         }
+    }
     return {.id = outlined != 0 ? outlined : bodyAt(position)};
 }
 

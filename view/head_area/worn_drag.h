@@ -18,6 +18,9 @@ class HeadScene;
 /// The worn things whose outlines are shown: all while colliders are shown, else the chosen one.
 [[nodiscard]] std::vector<model::Worn> outlinedWorn(const EditorState& editor);
 
+/// Whether a thing that is drawn lies behind the head, where no hand reaches it: skin is seen before all of it.
+[[nodiscard]] bool isBehindHead(const model::Worn& worn, const HeadScene& scene, const HeadSight& sight);
+
 /// A press on an outline, or on a body that is drawn, chooses that thing and drags it in the plane of the screen, or
 /// over the skin where it stands on it (with Shift: makes it larger or smaller), one on the handle off it turns it
 /// (with Shift: about itself), and one on an end of a chosen one's axis changes what WornSpec::handles says.

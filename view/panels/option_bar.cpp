@@ -243,12 +243,16 @@ void OptionBar::follow()
 {
     followValue();
     const ToolSettings settings = m_state.tools().settings();
-    const model::ToolOptions rows = m_state.tools().active().options();
+    const model::ToolTraits& tool = m_state.tools().active().traits();
+    const model::ToolOptions rows = tool.options;
     for (const Option& option : m_options) {
         const ToolOption& row = *option.row;
         option.widget->setVisible(std::ranges::find(rows, &row) != rows.end() &&
                                   (row.isShown == nullptr || row.isShown(settings)));
-        option.widget->setEnabled(row.isUsed == nullptr || row.isUsed(settings));
+        // There is nothing to choose for what always works on the skin.
+        const bool isOfHair = &row == &model::kTouchOption;
+        option.widget->setEnabled((row.isUsed == nullptr || row.isUsed(settings)) &&
+                                  (!isOfHair || tool.worksOnHair == nullptr || tool.worksOnHair(settings)));
         const double value = optionOf(settings, row);
         if (const auto* number = std::get_if<model::ToolNumber>(&row.kind))
             option.slider->setValue(value * number->shownPerSi());

@@ -87,6 +87,7 @@ StyleBar::StyleBar(QWidget* parent) : QWidget(parent)
     connect(m_part, &QComboBox::currentIndexChanged, this, [this](int index) {
         m_part->setProperty("narrowed", index > 0); // Seen, since it lasts.
         m_part->style()->polish(m_part);
+        Q_EMIT partChosen();
     });
 }
 

@@ -32,6 +32,7 @@ public:
 
 Q_SIGNALS:
     void filterChanged();
+    void partChosen();
     void fractionMoved();     ///< By the user, who goes on,
     void fractionSet();       ///< and lets go,
     void fractionTakenBack(); ///< or takes it back.

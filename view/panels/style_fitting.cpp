@@ -67,6 +67,12 @@ void StyleFitting::setFraction(double fraction)
                             });
 }
 
+void StyleFitting::letGo()
+{
+    keepFraction();
+    m_kept.reset();
+}
+
 void StyleFitting::keepFraction()
 {
     if (!std::exchange(m_mixes, false) || !m_edit.active())

@@ -25,6 +25,7 @@ public:
     /// 0..1: how much of a style is shown and put on from now on, as in model::StyleUse. Where the hair is still as the
     /// last style left it, that style is shown anew with as much of it, over the hair that was there before.
     void setFraction(double fraction);
+    void letGo();                           ///< The last style stays as it is: setFraction() is of the next one.
     void keepFraction();                    ///< What setFraction() shows becomes one undo step.
     void takeFractionBack(double fraction); ///< Drops what setFraction() shows; `fraction` is in force again.
     /// Previews a style; does nothing while a question is open.

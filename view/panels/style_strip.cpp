@@ -56,6 +56,7 @@ StyleStrip::StyleStrip(EditorState& state, Loader loader, Start start, QWidget* 
         stopPointing();
         m_fitting->setFraction(m_bar->fraction());
     });
+    connect(m_bar, &StyleBar::partChosen, m_fitting, &StyleFitting::letGo);
     connect(m_bar, &StyleBar::fractionSet, m_fitting, &StyleFitting::keepFraction);
     connect(m_bar, &StyleBar::fractionTakenBack, this, [this] { m_fitting->takeFractionBack(m_bar->fraction()); });
     connect(m_fitting, &StyleFitting::asking, this, &StyleStrip::asking);

@@ -117,7 +117,7 @@ void swapValues(EditorState& state)
 void resetValues(EditorState& state)
 {
     model::ToolSettings settings = state.tools().settings();
-    model::ToolSettings fresh;
+    model::ToolSettings fresh = state.tools().startSettings();
     settings.value(state.target().map()) = fresh.value(state.target().map());
     settings.secondValue(state.target().map()) = fresh.secondValue(state.target().map());
     state.tools().setSettings(settings);
