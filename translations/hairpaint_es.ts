@@ -6047,8 +6047,8 @@ Se ha perdido esto:</translation>
         <translation>Herramientas</translation>
     </message>
     <message>
-        <source>Every tool works in both areas: on the flat map and straight on the head. What it paints goes to the active layer of the active map, inside the selection where there is one.</source>
-        <translation>Cada herramienta funciona en las dos áreas: en el mapa plano y directamente en la cabeza. Lo que pinta va a la capa activa del mapa activo, dentro de la selección si la hay.</translation>
+        <source>Tools work in both areas, on the flat map and straight on the head; scissors cut hair that is seen. What a tool paints goes to the active layer of the active map, inside the selection where there is one.</source>
+        <translation>Las herramientas funcionan en las dos áreas, en el mapa plano y directamente en la cabeza; las tijeras cortan el pelo que se ve. Lo que una herramienta pinta va a la capa activa del mapa activo, dentro de la selección si la hay.</translation>
     </message>
     <message>
         <source>Make the brush smaller or larger</source>

@@ -96,11 +96,11 @@ QString optionTable(const model::Tool& tool)
 
 QString toolPage(const EditorState& state, const std::vector<KeyBinding>& bindings)
 {
-    QString html =
-        heading(HelpDialog::Topic::Tools, HelpDialog::tr("Tools")) +
-        paragraph(HelpDialog::tr("Every tool works in both areas: on the flat map and straight on the head. What it "
-                                 "paints goes to the active layer of the active map, inside the selection where "
-                                 "there is one."));
+    QString html = heading(HelpDialog::Topic::Tools, HelpDialog::tr("Tools")) +
+                   paragraph(HelpDialog::tr(
+                       "Tools work in both areas, on the flat map and straight on the head; scissors cut hair "
+                       "that is seen. What a tool paints goes to the active layer of the active map, inside "
+                       "the selection where there is one."));
     for (const auto& tool : state.tools().all()) {
         const QString key = keyOf(bindings, QStringLiteral("tool.") + QLatin1String(tool->name()));
         html += QStringLiteral("<h4>%1</h4>")
