@@ -272,8 +272,8 @@ bool UsdStage::chooseVariant(UsdPrim& prim, const UsdPrim& whole)
     for (const UsdPrim::Spec& own : prim.specs)
         for (const auto& [set, variants] : own.spec->variantSets) {
             std::string_view chosen;
-            (void)whole.eachSpec([&chosen, &set](const UsdSpec& spec) {
-                if (const auto found = spec.chosen.find(set); found != spec.chosen.end())
+            (void)whole.eachSpec([&chosen, &name = set](const UsdSpec& spec) {
+                if (const auto found = spec.chosen.find(name); found != spec.chosen.end())
                     chosen = found->second;
                 return chosen.empty();
             });
