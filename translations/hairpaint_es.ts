@@ -1465,8 +1465,8 @@
         <translation>su formato, %1, no se lee aquí; guárdalo como PNG o TIFF en el programa que lo creó e inténtalo de nuevo</translation>
     </message>
     <message>
-        <source>several of its parts have a layout of their own in uv tile %1, so these lie side by side on the maps</source>
-        <translation>varias de sus partes tienen un despliegue propio en el mosaico uv %1, así que están uno junto a otro en los mapas</translation>
+        <source>several of its parts have a layout of their own in uv tile %1, so these lie side by side on the maps; images by tile can&apos;t hold them</source>
+        <translation>varias de sus partes tienen un despliegue propio en el mosaico uv %1, así que están uno junto a otro en los mapas; no caben en imágenes por mosaico</translation>
     </message>
     <message>
         <source>not read, so hair that is in there is missing: %1; save it as USD text in the same folder</source>

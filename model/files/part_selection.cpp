@@ -176,7 +176,7 @@ Checked<ChosenHead> headOfParts(const RiggedMesh& source, bool ownLayout)
     if (const std::optional<int> shared = chosen.mesh.tiles.shared(); shared && !ownLayout)
         chosen.remarks.append(say(QT_TRANSLATE_NOOP("Files", "several of its parts have a layout of their own "
                                                              "in uv tile %1, so these lie side by side on the "
-                                                             "maps"))
+                                                             "maps; images by tile can't hold them"))
                                   .arg(*shared));
     if (const LayoutOverlap overlap = overlapOf(head); !ownLayout && overlap.fraction > kNotableOverlap)
         chosen.remarks.append(
