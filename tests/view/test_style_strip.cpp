@@ -6,6 +6,7 @@
 #include "view/panels/hair_panel.h"
 #include "view/panels/layers_panel.h"
 
+#include <QEventLoop>
 #include <QPointer>
 #include <QSignalSpy>
 
@@ -90,6 +91,31 @@ private Q_SLOTS:
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         QVERIFY(asked == nullptr);
         QCOMPARE(f.strip.findChildren<StyleTile*>().size(), qsizetype{1}); // "Save style".
+    }
+
+    void a_styles_menu_outlives_what_is_chosen_from_it()
+    {
+        StripFixture f;
+        f.strip.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&f.strip));
+        QPointer<StyleMenu> menu;
+        bool isThere = false;
+        connect(&f.strip, &StyleStrip::ordered, &f.strip, [&] {
+            QEventLoop dialog; // As questions have.
+            QTimer::singleShot(0, &dialog, &QEventLoop::quit);
+            dialog.exec();
+            QCoreApplication::sendPostedEvents(menu, QEvent::DeferredDelete);
+            isThere = menu != nullptr;
+        });
+        Q_EMIT f.tile(1).menuWanted(f.tile(1).mapToGlobal(QPoint(5, 5)));
+        menu = f.strip.findChild<StyleMenu*>();
+        QVERIFY(menu != nullptr && menu->isVisible());
+        const QList<QAction*> actions = menu->actions();
+        const auto about = std::ranges::find_if(
+            actions, [](const QAction* one) { return one->text().startsWith(QStringLiteral("About")); });
+        QVERIFY(about != actions.end());
+        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(*about).center());
+        QVERIFY(isThere);
     }
 
     void passing_by_quickly_shows_nothing()

@@ -129,9 +129,9 @@ void HairPanel::rebuildGroups()
 
 void HairPanel::askWhatGrows()
 {
-    auto* menu = new QMenu(this);
+    m_menu = std::make_unique<QMenu>(this);
+    QMenu* menu = m_menu.get();
     menu->setObjectName(QStringLiteral("whatGrows"));
-    menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("What grows?"))->setEnabled(false); // A section's title shows in few styles.
     menu->addSeparator();
     for (const model::HairKind& kind : model::hairKinds())

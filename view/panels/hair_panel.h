@@ -5,6 +5,7 @@
 #include "model/values/error.h"
 #include "view/editing/editor_state.h"
 
+#include <QMenu>
 #include <QWidget>
 
 #include <functional>
@@ -49,6 +50,9 @@ private:
 
     EditorState& m_state;
     Grow m_grow;
+    /// The last one shown. It stays: what is chosen grows, and shows how far it is, while the menu's own event is under
+    /// way.
+    std::unique_ptr<QMenu> m_menu;
     LayerList* m_groups = nullptr;
     QToolButton* m_add = nullptr;
     QToolButton* m_remove = nullptr;

@@ -182,9 +182,9 @@ void StyleStrip::filter()
 
 void StyleStrip::showMenu(StyleTile* tile, const QPoint& globalPosition)
 {
-    const QString& path = tile->path();
-    auto* menu = new StyleMenu(tile->own(), tile->isFavourite(), this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const QString path = tile->path();
+    m_menu = std::make_unique<StyleMenu>(tile->own(), tile->isFavourite(), this);
+    const StyleMenu* menu = m_menu.get();
     connect(menu, &StyleMenu::partPointedAt, this,
             [this, path](StylePart part) { pointAt({.path = path, .part = part}); });
     connect(menu, &StyleMenu::partChosen, this,
@@ -192,7 +192,7 @@ void StyleStrip::showMenu(StyleTile* tile, const QPoint& globalPosition)
     connect(menu, &StyleMenu::favouriteWanted, this, [this, path](bool favourite) { setFavourite(path, favourite); });
     connect(menu, &StyleMenu::ordered, this, [this, path](StyleOrder order) { Q_EMIT ordered(path, order); });
     connect(menu, &QMenu::aboutToHide, this, &StyleStrip::endPreview);
-    menu->popup(globalPosition);
+    m_menu->popup(globalPosition);
 }
 
 std::vector<QString> StyleStrip::paths() const

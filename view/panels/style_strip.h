@@ -11,6 +11,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <memory>
 #include <optional>
 
 namespace hairpaint::view {
@@ -92,6 +93,8 @@ private:
     StyleBar* m_bar = nullptr;
     StyleNotice* m_notice = nullptr;
     StyleQuestion* m_question = nullptr;
+    /// The last one shown. It stays: what is chosen asks in dialogs while the menu's own event is still under way.
+    std::unique_ptr<StyleMenu> m_menu;
     StyleFitting* m_fitting = nullptr;
     QTimer m_pause{this}; ///< Between pointing at a style and showing it.
     std::optional<Wish> m_pointed, m_toCommit;
