@@ -166,8 +166,6 @@ private Q_SLOTS:
         }
         const model::MapKind map = editor().target().map();
         model::ToolSettings settings = editor().tools().settings();
-        const float lengthM = settings.value(model::MapKind::Length).scalar;
-        settings.value(model::MapKind::Length).scalar = 1.0F;
         settings.value(map).scalar = 0.3F;
         settings.secondValue(map).scalar = 0.9F;
         editor().tools().setSettings(settings);
@@ -176,9 +174,6 @@ private Q_SLOTS:
         QCOMPARE(editor().tools().settings().secondValue(map).scalar, 0.3F);
         key(Qt::Key_D);
         QVERIFY(editor().tools().settings().value(map).scalar != 0.9F);
-        editor().target().setMap(model::MapKind::Length);
-        key(Qt::Key_D);
-        QCOMPARE(editor().tools().settings().value(model::MapKind::Length).scalar, lengthM); // As at first.
     }
 
     void selectionKeysSelectAndEverythingStaysInside()

@@ -201,6 +201,17 @@ private Q_SLOTS:
         QCOMPARE(slider->value(), std::round(shownValue({}, MapKind::Clump, clump)));
     }
 
+    void the_first_values_come_back()
+    {
+        PanelFixture f;
+        f.state.target().setMap(MapKind::Length);
+        const model::ToolSettings first = f.state.tools().settings();
+        swapValues(f.state);
+        QVERIFY(!(f.state.tools().settings() == first));
+        resetValues(f.state);
+        QVERIFY(f.state.tools().settings() == first);
+    }
+
     void hair_or_skin_is_asked_where_a_tool_knows_both()
     {
         PanelFixture f;
