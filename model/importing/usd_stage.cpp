@@ -21,8 +21,9 @@ constexpr std::size_t kMostNodes = std::size_t{1} << 20U;
 std::vector<std::pair<UsdReference, const UsdText*>> listOf(const UsdPrim& prim, UsdArc arc)
 {
     std::vector<std::pair<UsdReference, const UsdText*>> list;
-    for (auto own = prim.specs.rbegin(); own != prim.specs.rend(); ++own) {
-        const UsdListEdit& edit = own->spec->arcs[static_cast<std::size_t>(arc)];
+    for (std::size_t weakest = prim.specs.size(); weakest-- > 0;) {
+        const UsdPrim::Spec& own = prim.specs[weakest];
+        const UsdListEdit& edit = own.spec->arcs[static_cast<std::size_t>(arc)];
         const auto drop = [&list](const std::vector<UsdReference>& named) {
             if (!named.empty())
                 std::erase_if(
@@ -34,9 +35,9 @@ std::vector<std::pair<UsdReference, const UsdText*>> listOf(const UsdPrim& prim,
         drop(edit.front);
         drop(edit.back);
         for (std::size_t i = 0; i < edit.front.size(); ++i)
-            list.emplace(list.begin() + static_cast<std::ptrdiff_t>(i), edit.front[i], own->layer);
+            list.emplace(list.begin() + static_cast<std::ptrdiff_t>(i), edit.front[i], own.layer);
         for (const UsdReference& last : edit.back)
-            list.emplace_back(last, own->layer);
+            list.emplace_back(last, own.layer);
     }
     return list;
 }

@@ -182,7 +182,7 @@ void StyleStrip::filter()
 
 void StyleStrip::showMenu(StyleTile* tile, const QPoint& globalPosition)
 {
-    const QString path = tile->path();
+    const QString& path = tile->path();
     m_menu = std::make_unique<StyleMenu>(tile->own(), tile->isFavourite(), this);
     const StyleMenu* menu = m_menu.get();
     connect(menu, &StyleMenu::partPointedAt, this,
