@@ -4,6 +4,7 @@
 #include "app/cli/film.h"
 #include "app/cli/interruption.h"
 #include "app/cli/option_values.h"
+#include "app/cli/terminal.h"
 #include "app/cli/verb_options.h"
 #include "app/headless/settled_hair.h"
 #include "model/disk/staged_files.h"

@@ -112,9 +112,10 @@ std::vector<std::uint8_t> profileOf(const OIIO::ImageSpec& spec)
     return {bytes, bytes + value->type().size()};
 }
 
-bool isFloating(OIIO::TypeDesc format)
+bool isFloating(const OIIO::TypeDesc& format)
 {
-    return format == OIIO::TypeDesc::HALF || format == OIIO::TypeDesc::FLOAT || format == OIIO::TypeDesc::DOUBLE;
+    const int type = format.basetype;
+    return type == OIIO::TypeDesc::HALF || type == OIIO::TypeDesc::FLOAT || type == OIIO::TypeDesc::DOUBLE;
 }
 
 /// Whether its colours are of linear light: as the file says, else where its numbers are floats.
