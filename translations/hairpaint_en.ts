@@ -59,6 +59,30 @@
     </message>
 </context>
 <context>
+    <name>hairpaint::view::HairImportDialog</name>
+    <message numerus="yes">
+        <source>%Ln strands. In this unit and axis most roots are %1 cm off the skin or further, so they can&apos;t come in: choose another, or Automatic, or export them as they stand on a head.</source>
+        <translation>
+            <numerusform>%Ln strand. In this unit and axis its root is %1 cm off the skin, so it can&apos;t come in: choose another, or Automatic, or export it as it stands on a head.</numerusform>
+            <numerusform>%Ln strands. In this unit and axis most roots are %1 cm off the skin or further, so they can&apos;t come in: choose another, or Automatic, or export them as they stand on a head.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln strands, turned, scaled and moved until their roots lay on the head.</source>
+        <translation>
+            <numerusform>%Ln strand, turned, scaled and moved until its root lay on the head.</numerusform>
+            <numerusform>%Ln strands, turned, scaled and moved until their roots lay on the head.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln strands, their roots on the head. Unit: %1; up: %2.</source>
+        <translation>
+            <numerusform>%Ln strand, its root on the head. Unit: %1; up: %2.</numerusform>
+            <numerusform>%Ln strands, their roots on the head. Unit: %1; up: %2.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::HeadImportDialog</name>
     <message numerus="yes">
         <source>%Ln triangles. %1 cm is no usual height for a head, a bust or a body: check the unit and the axis.</source>

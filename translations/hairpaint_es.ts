@@ -5831,8 +5831,29 @@ Se ha perdido esto:</translation>
         <translation>Hacia &amp;arriba es</translation>
     </message>
     <message>
-        <source>Automatic takes what the file says, or else what brings the roots to the head. The hair becomes a new group, with maps to paint on.</source>
-        <translation>Automático toma lo que dice el archivo o, si no dice nada, lo que lleva las raíces a la cabeza. El pelo pasa a ser un grupo nuevo, con mapas en los que pintar.</translation>
+        <source>The hair becomes a new group, with maps to paint on.</source>
+        <translation>El pelo pasa a ser un grupo nuevo, con mapas en los que pintar.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln strands. In this unit and axis most roots are %1 cm off the skin or further, so they can&apos;t come in: choose another, or Automatic, or export them as they stand on a head.</source>
+        <translation>
+            <numerusform>%Ln pelo. Con esta unidad y este eje la raíz está a %1 cm de la piel o más, así que no puede entrar: elige otros, o Automático, o expórtalo como está en una cabeza.</numerusform>
+            <numerusform>%Ln pelos. Con esta unidad y este eje la mayoría de las raíces está a %1 cm de la piel o más, así que no pueden entrar: elige otros, o Automático, o expórtalos como están en una cabeza.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln strands, turned, scaled and moved until their roots lay on the head.</source>
+        <translation>
+            <numerusform>%Ln pelo, girado, escalado y movido hasta que su raíz quedó en la cabeza.</numerusform>
+            <numerusform>%Ln pelos, girados, escalados y movidos hasta que sus raíces quedaron en la cabeza.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln strands, their roots on the head. Unit: %1; up: %2.</source>
+        <translation>
+            <numerusform>%Ln pelo, con la raíz en la cabeza. Unidad: %1; arriba: %2.</numerusform>
+            <numerusform>%Ln pelos, con las raíces en la cabeza. Unidad: %1; arriba: %2.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Import</source>
@@ -5841,6 +5862,13 @@ Se ha perdido esto:</translation>
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::HairOnHead</name>
+    <message>
+        <source>The hair on the head, from the front and from its left</source>
+        <translation>El pelo en la cabeza, de frente y desde su izquierda</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "model/document/group_commands.h"
 #include "model/importing/curve_import.h"
 #include "model/importing/curve_reader.h"
+#include "model/values/sentences.h"
 #include "view/dialogs/hair_import_dialog.h"
 
 #include <QFileInfo>
@@ -164,16 +165,29 @@ void HairExchange::importHairFrom(const QString& path)
     model::Document& document = m_session.document();
     m_session.endPreviews(); // What is only shown is no ground to add to.
     const QString name = QFileInfo(path).fileName();
-    view::HairImportDialog dialog(name, &m_files.window());
+    const std::shared_ptr<const model::Head> head = document.committed().head;
+    const auto curves = std::make_shared<model::ForeignCurves>();
+    std::optional<view::HairImportSample> sample = m_files.read<view::HairImportSample>(
+        path, [path, curves, head](const model::Progress& progress) -> model::Result<view::HairImportSample> {
+            return model::withinMemory(path, model::cannotOpen, [&]() -> model::Result<view::HairImportSample> {
+                model::Result<model::ForeignCurves> read = model::readCurves(path, progress);
+                if (!read)
+                    return tl::unexpected(read.error());
+                *curves = std::move(*read);
+                return view::HairImportSample::of(*curves, head);
+            });
+        });
+    if (!sample)
+        return;
+    view::HairImportDialog dialog(std::move(*sample), name, &m_files.window());
     m_files.announce(dialog, view::HelpDialog::Topic::HairImport);
     if (dialog.exec() != QDialog::Accepted)
         return;
     const model::CurveSpaceChoice choice = dialog.choice();
-    const std::shared_ptr<const model::Head> head = document.committed().head;
     const auto remarks = std::make_shared<model::CurveRemarks>();
     std::optional<Groups> groups =
-        m_files.read<Groups>(path, [path, choice, head, remarks](const model::Progress& progress) {
-            return model::groupsFromCurves(path, choice, head, progress, remarks.get());
+        m_files.read<Groups>(path, [path, choice, curves, head, remarks](const model::Progress& progress) {
+            return model::groupsFromCurves(std::move(*curves), path, choice, head, progress, remarks.get());
         });
     if (!groups)
         return;

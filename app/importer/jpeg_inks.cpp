@@ -8,8 +8,10 @@
 #include <iterator>
 #include <vector>
 
-// Which wants cstdio before it.
+// Which want cstdio before them.
 #include <jpeglib.h>
+
+#include <jerror.h>
 
 namespace hairpaint::importer {
 
@@ -20,6 +22,7 @@ struct Decoding
     jpeg_decompress_struct jpeg{};
     jpeg_error_mgr errors{};
     std::jmp_buf back{};
+    bool isCutShort = false; ///< libjpeg fills up with grey what is missing.
 };
 
 void jumpBack(j_common_ptr jpeg)
@@ -29,6 +32,13 @@ void jumpBack(j_common_ptr jpeg)
 
 void sayNothing(j_common_ptr /*jpeg*/) {}
 
+void noteWhatIsMissing(j_common_ptr jpeg, int level)
+{
+    const int code = jpeg->err->msg_code;
+    if (level < 0 && (code == JWRN_JPEG_EOF || code == JWRN_HIT_MARKER))
+        static_cast<Decoding*>(jpeg->client_data)->isCutShort = true;
+}
+
 /// False where it is damaged.
 bool begin(Decoding& decoding, const std::vector<unsigned char>& bytes)
 {
@@ -36,6 +46,7 @@ bool begin(Decoding& decoding, const std::vector<unsigned char>& bytes)
     jpeg.err = jpeg_std_error(&decoding.errors);
     decoding.errors.error_exit = jumpBack;
     decoding.errors.output_message = sayNothing;
+    decoding.errors.emit_message = noteWhatIsMissing;
     jpeg.client_data = &decoding;
     if (setjmp(decoding.back) != 0) // NOLINT(cert-err52-cpp)
         return false;
@@ -56,7 +67,7 @@ bool decode(Decoding& decoding, unsigned char* samples)
         JSAMPROW row = samples + std::size_t{jpeg.output_scanline} * jpeg.output_width * 4;
         (void)jpeg_read_scanlines(&jpeg, &row, 1);
     }
-    return true;
+    return !decoding.isCutShort;
 }
 
 } // namespace

@@ -16,6 +16,7 @@ constexpr std::size_t kMostTried = 2000; ///< Roots.
 constexpr float kOnSkinM = 0.015F;       ///< So near to it half of the roots must be.
 constexpr std::array<float, 5> kUsualUnits{1.0F, 0.01F, 0.001F, 0.0254F, 0.1F};
 constexpr int kFitRounds = 24;
+constexpr std::size_t kMostSampled = 400; ///< Strands.
 
 /// From a space with z up, the face toward -y, to ours.
 glm::mat3 uprightFrom(UpAxis axis)
@@ -33,16 +34,21 @@ glm::mat3 quarterTurns(int count)
     return {{kCosines[i], 0.0F, -kSines[i]}, {0.0F, 1.0F, 0.0F}, {kSines[i], 0.0F, kCosines[i]}};
 }
 
+std::size_t countOf(const ForeignCurves& curves)
+{
+    std::size_t count = 0;
+    for (const ForeignStrands& strands : curves.groups)
+        count += strands.count();
+    return count;
+}
+
 /// Tries transforms of some of the roots.
 class RootFit
 {
 public:
     RootFit(const ForeignCurves& curves, const sim::Skin& skin, bool ofTips = false) : m_skin(skin)
     {
-        std::size_t count = 0;
-        for (const ForeignStrands& strands : curves.groups)
-            count += strands.count();
-        const std::size_t step = std::max<std::size_t>(count / kMostTried, 1);
+        const std::size_t step = std::max<std::size_t>(countOf(curves) / kMostTried, 1);
         std::size_t number = 0;
         for (const ForeignStrands& strands : curves.groups)
             for (std::size_t i = 0; i < strands.count(); ++i)
@@ -200,6 +206,43 @@ void turnTipFirst(ForeignCurves& curves, const CurveSpaceChoice& choice, const s
             std::swap(strands.looks[i].rootColour, strands.looks[i].tipColour);
         }
     }
+}
+
+ForeignCurves sampledCurves(const ForeignCurves& curves)
+{
+    ForeignCurves sample;
+    sample.metresPerUnit = curves.metresPerUnit;
+    sample.upAxis = curves.upAxis;
+    const std::size_t step = (countOf(curves) + kMostSampled - 1) / kMostSampled;
+    std::size_t number = 0;
+    for (const ForeignStrands& strands : curves.groups) {
+        ForeignStrands& some = sample.groups.emplace_back();
+        for (std::size_t i = 0; i < strands.count(); ++i) {
+            if (number++ % step != 0)
+                continue;
+            const std::span<const glm::vec3> points = strands.strand(i);
+            some.points.insert(some.points.end(), points.begin(), points.end());
+            some.ends.push_back(static_cast<std::uint32_t>(some.points.size()));
+            some.looks.push_back(strands.looks[i]);
+        }
+    }
+    return sample;
+}
+
+CurvePlacement placementOf(const ForeignCurves& curves, const CurveSpaceChoice& choice, const sim::Skin& skin)
+{
+    ForeignCurves turned = curves;
+    turnTipFirst(turned, choice, skin);
+    CurvePlacement placement;
+    if (const std::optional<CurveTransform> fitted = fitCurves(turned, choice, skin)) {
+        placement = {.transform = *fitted, .fits = true};
+    } else {
+        placement.transform.rotation = uprightFrom(choice.upAxis.value_or(curves.upAxis.value_or(UpAxis::Y)));
+        placement.transform.scaleM = choice.metresPerUnit.value_or(curves.metresPerUnit.value_or(1.0F));
+    }
+    if (const RootFit fit(turned, skin); !fit.empty())
+        placement.rootsOffM = fit.distanceM(placement.transform);
+    return placement;
 }
 
 } // namespace hairpaint::model

@@ -24,4 +24,18 @@ struct CurveSpaceChoice
 /// clearly do not, in the unit and axes that are told or else in usual ones. About 0.2 s.
 void turnTipFirst(ForeignCurves& curves, const CurveSpaceChoice& choice, const sim::Skin& skin);
 
+/// How curves would lie on a head.
+struct CurvePlacement
+{
+    CurveTransform transform;
+    bool fits = false;      ///< Whether they would be taken so; else `transform` is what is told, in metres and y up.
+    float rootsOffM = 0.0F; ///< Median distance of their roots from the skin.
+};
+
+/// At most some hundred strands, evenly taken, to look at and to be positioned quickly.
+[[nodiscard]] ForeignCurves sampledCurves(const ForeignCurves& curves);
+/// Up to 0.2 s for sampled curves of which nothing is told.
+[[nodiscard]] CurvePlacement placementOf(const ForeignCurves& curves, const CurveSpaceChoice& choice,
+                                         const sim::Skin& skin);
+
 } // namespace hairpaint::model

@@ -16,8 +16,8 @@ namespace {
 
 constexpr int kSmallestMap = 256;
 constexpr int kLargestMap = 1024;
-constexpr double kCurvesRead = 0.3; ///< Fraction of all work that is done once the curves are read.
-constexpr double kTexelsFound = 0.4;
+constexpr double kCurvesRead = 0.3;      ///< Fraction of all work that is done once the curves are read.
+constexpr double kTexelsFound = 0.15;    ///< Fraction of the work after that.
 constexpr double kStrandsMeasured = 0.5; ///< Fraction of a group's work that is done once its strands are measured.
 
 /// Tells of a part of the work.
@@ -100,21 +100,32 @@ Result<std::vector<HairGroup>> groupsFromCurves(const QString& path, const Curve
         Result<ForeignCurves> curves = readCurves(path, partOfImport(progress, 0.0, kCurvesRead));
         if (!curves)
             return tl::unexpected(curves.error());
+        return groupsFromCurves(std::move(*curves), path, choice, head, partOfImport(progress, kCurvesRead, 1.0),
+                                remarks);
+    });
+}
+
+Result<std::vector<HairGroup>> groupsFromCurves(ForeignCurves curves, const QString& path,
+                                                const CurveSpaceChoice& choice, const std::shared_ptr<const Head>& head,
+                                                const Progress& progress, CurveRemarks* remarks)
+{
+    using Groups = std::vector<HairGroup>;
+    return withinMemory(path, cannotOpen, [&]() -> Result<Groups> {
         if (remarks != nullptr)
-            *remarks = {.leftOut = curves->leftOut, .unread = curves->unread};
-        mergeMany(*curves);
-        turnTipFirst(*curves, choice, *head->skin);
-        const std::optional<CurveTransform> transform = fitCurves(*curves, choice, *head->skin);
+            *remarks = {.leftOut = curves.leftOut, .unread = curves.unread};
+        mergeMany(curves);
+        turnTipFirst(curves, choice, *head->skin);
+        const std::optional<CurveTransform> transform = fitCurves(curves, choice, *head->skin);
         if (!transform)
             return choice.metresPerUnit ? fitsNotAsTold(path) : fitsNowhere(path);
         const std::optional<SkinTexels> texels =
-            SkinTexels::of(*head->skin, mapSizeFor(*curves), partOfImport(progress, kCurvesRead, kTexelsFound));
+            SkinTexels::of(*head->skin, mapSizeFor(curves), partOfImport(progress, 0.0, kTexelsFound));
         if (!texels)
             return cancelled(path);
         Groups groups;
-        for (std::size_t i = 0; i < curves->groups.size(); ++i) {
-            const ForeignStrands& strands = curves->groups[i];
-            const double part = (1.0 - kTexelsFound) / static_cast<double>(curves->groups.size());
+        for (std::size_t i = 0; i < curves.groups.size(); ++i) {
+            const ForeignStrands& strands = curves.groups[i];
+            const double part = (1.0 - kTexelsFound) / static_cast<double>(curves.groups.size());
             const double from = kTexelsFound + part * static_cast<double>(i);
             std::optional<HeadStrands> onHead =
                 strandsOnHead(strands, *transform, *head->skin, head->distances.get(),

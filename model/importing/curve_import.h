@@ -31,5 +31,11 @@ struct CurveRemarks
                                                               const std::shared_ptr<const Head>& head,
                                                               const Progress& progress = {},
                                                               CurveRemarks* remarks = nullptr);
+/// The same of curves that are read already from the file `path`.
+[[nodiscard]] Result<std::vector<HairGroup>> groupsFromCurves(ForeignCurves curves, const QString& path,
+                                                              const CurveSpaceChoice& choice,
+                                                              const std::shared_ptr<const Head>& head,
+                                                              const Progress& progress = {},
+                                                              CurveRemarks* remarks = nullptr);
 
 } // namespace hairpaint::model

@@ -6,6 +6,7 @@
 #include "model/document/group_commands.h"
 #include "model/styles/hair_kinds.h"
 #include "model/values/names.h"
+#include "tests/support/import_sample.h"
 #include "tests/support/patience.h"
 #include "tests/support/pseudo_languages.h"
 #include "tests/support/seen_text.h"
@@ -337,7 +338,7 @@ private Q_SLOTS:
     {
         speakLanguage(std::make_unique<test::MarkedLetters>());
         view::HeadImportDialog head(test::makeBallHead(), QStringLiteral("head.obj"));
-        view::HairImportDialog hair(QStringLiteral("long.hair"));
+        view::HairImportDialog hair(test::importSample(), QStringLiteral("long.hair"));
         for (QDialog* dialog : std::initializer_list<QDialog*>{&head, &hair}) {
             dialog->show();
             look(*dialog);

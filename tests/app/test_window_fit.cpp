@@ -5,6 +5,7 @@
 #include "app/styles/library.h"
 #include "app/window/main_window.h"
 #include "tests/support/clipping.h"
+#include "tests/support/import_sample.h"
 #include "tests/support/pseudo_languages.h"
 #include "tests/support/seen_text.h"
 #include "tests/support/test_heads.h"
@@ -145,7 +146,7 @@ private Q_SLOTS:
         }
         view::AboutDialog about(QStringLiteral("0.1.0"), librariesInUse(), m_window->headView().rendererDescription());
         view::HeadImportDialog import(test::makeBallHead(), QStringLiteral("head.obj"));
-        view::HairImportDialog hair(QStringLiteral("long.hair"));
+        view::HairImportDialog hair(test::importSample(), QStringLiteral("long.hair"));
         for (QDialog* dialog : std::initializer_list<QDialog*>{&about, &import, &hair}) {
             dialog->show();
             QVERIFY(QTest::qWaitForWindowExposed(dialog));

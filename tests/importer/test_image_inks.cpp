@@ -115,10 +115,18 @@ private Q_SLOTS:
         }
     }
 
+    void aCutJpegIsRefused_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        const QByteArray whole = jpegOf({}, true);
+        QTest::newRow("in its header") << whole.first(30);
+        QTest::newRow("before its picture") << whole.first(whole.indexOf("\xFF\xDA") + 16);
+    }
     void aCutJpegIsRefused()
     {
+        QFETCH(QByteArray, bytes);
         const QString file = m_folder.filePath(QStringLiteral("cut.jpg"));
-        test::writeBytes(file, jpegOf({}, true).first(30));
+        test::writeBytes(file, bytes);
         const auto image = m_client.readColours(file);
         QVERIFY(!image);
         QVERIFY2(test::isOneSentenceNaming(image.error().message, file), qPrintable(image.error().message));

@@ -4,6 +4,7 @@
 
 #include "tests/support/await.h"
 #include "tests/support/clipping.h"
+#include "tests/support/import_sample.h"
 #include "tests/support/pseudo_languages.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
@@ -72,7 +73,10 @@ std::map<QString, std::pair<Make, QSize>> everything()
           },
           {}}},
         {QStringLiteral("hair import"),
-         {[](EditorState&) { return std::make_unique<HairImportDialog>(QStringLiteral("long.hair")); }, {}}},
+         {[](EditorState&) {
+              return std::make_unique<HairImportDialog>(test::importSample(), QStringLiteral("long.hair"));
+          },
+          {}}},
         {QStringLiteral("picture"),
          {[](EditorState&) { return std::make_unique<PictureDialog>(PictureChoice{}, QSize(600, 800)); }, {}}},
         {QStringLiteral("preferences"),
