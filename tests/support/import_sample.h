@@ -8,7 +8,7 @@
 
 namespace hairpaint::test {
 
-/// Twelve straight strands of 5 cm over the upper half of a ball of 10 cm radius, in centimetres, the face toward
+/// Twelve straight strands of 2.5 cm over the upper half of a ball of 10 cm radius, in centimetres, the face toward
 /// -y; the file tells that z is up, not the unit.
 inline model::ForeignCurves strandsInCentimetres()
 {
@@ -20,7 +20,7 @@ inline model::ForeignCurves strandsInCentimetres()
         const float height = 0.3F + 0.05F * static_cast<float>(i);
         const float across = std::sqrt(1.0F - height * height);
         const glm::vec3 outward(across * std::cos(turn), across * std::sin(turn), height);
-        for (const float radius : {10.0F, 12.5F, 15.0F})
+        for (const float radius : {10.0F, 11.2F, 12.5F})
             strands.points.push_back(outward * radius);
         strands.ends.push_back(static_cast<std::uint32_t>(strands.points.size()));
         strands.looks.emplace_back();

@@ -23,7 +23,7 @@ public:
     /// Some hundred strands; both must outlive the widget.
     HairOnHead(const sim::HeadMesh& head, const model::ForeignCurves& curves, QWidget* parent = nullptr);
     void setTransform(const model::CurveTransform& transform);
-    [[nodiscard]] QSize sizeHint() const override { return {400, 220}; }
+    [[nodiscard]] QSize sizeHint() const override { return {400, 260}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
 protected:
