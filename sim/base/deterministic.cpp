@@ -2,8 +2,10 @@
 #include "sim/base/deterministic.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 
 namespace hairpaint::sim {
 
@@ -25,48 +27,53 @@ double cosQuarter(double x)
 constexpr double kHalfPi = 1.57079632679489661923;
 constexpr double kLargestAngle = 1e9;
 
-/// sin(x + quarterTurns * pi/2).
-float sinShifted(float radians, std::int64_t quarterTurns)
+/// An angle's sine and cosine as the quadrant in which it lies has them.
+class Quadrant
+{
+public:
+    explicit Quadrant(float radians);
+    /// sin(x + quarterTurns * pi/2). Both are there: which of them is wanted no branch predictor knows.
+    [[nodiscard]] float sine(std::int64_t quarterTurns) const
+    {
+        const std::int64_t quadrant = m_number + quarterTurns;
+        return static_cast<float>(m_either[static_cast<std::size_t>(quadrant & 1)] *
+                                  static_cast<double>(1 - (quadrant & 2)));
+    }
+
+private:
+    std::int64_t m_number = 0;
+    std::array<double, 2> m_either{}; ///< Sine and cosine from the quadrant's middle on.
+};
+
+Quadrant::Quadrant(float radians)
 {
     double x = radians;
     if (!(std::abs(x) < kLargestAngle))
         x = 0.0;
-    const double turns = std::floor(x * (1.0 / kHalfPi) + 0.5);
+    // Adding it leaves no bits for a fraction: the nearest integer, without a call of the library's.
+    constexpr double kIntegers = 6755399441055744.0; // 1.5 * 2^52
+    const double turns = (x * (1.0 / kHalfPi) + kIntegers) - kIntegers;
     const double rest = x - turns * kHalfPi;
-    const std::int64_t quadrant = (static_cast<std::int64_t>(turns) + quarterTurns) & 3;
-    const double value = (quadrant & 1) != 0 ? cosQuarter(rest) : sinQuarter(rest);
-    return static_cast<float>((quadrant & 2) != 0 ? -value : value);
-}
-
-/// The finaliser of SplitMix64 (Steele, Lea and Flood 2014).
-std::uint64_t mix(std::uint64_t z)
-{
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31U);
+    m_number = static_cast<std::int64_t>(turns);
+    m_either = {sinQuarter(rest), cosQuarter(rest)};
 }
 
 } // namespace
 
-std::uint64_t hash64(std::uint64_t key, std::uint64_t counter)
-{
-    constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15U;
-    return mix(mix(key + kGolden) + (counter + 1) * kGolden);
-}
-
-float unitFloat(std::uint64_t hash)
-{
-    return static_cast<float>(hash >> 40U) * (1.0F / 16777216.0F);
-}
-
 float sinDet(float radians)
 {
-    return sinShifted(radians, 0);
+    return Quadrant(radians).sine(0);
 }
 
 float cosDet(float radians)
 {
-    return sinShifted(radians, 1);
+    return Quadrant(radians).sine(1);
+}
+
+SineCosine sinCosDet(float radians)
+{
+    const Quadrant quadrant(radians);
+    return {.sine = quadrant.sine(0), .cosine = quadrant.sine(1)};
 }
 
 float expDet(float x)

@@ -63,16 +63,16 @@ float inPatch(const VariationSettings& settings, glm::vec3 rootHd)
 class Turn
 {
 public:
-    Turn(glm::vec3 axis, float rad) : m_axis(axis), m_sine(sinDet(rad)), m_cosine(cosDet(rad)) {}
+    Turn(glm::vec3 axis, float rad) : m_axis(axis), m_of(sinCosDet(rad)) {}
     [[nodiscard]] glm::vec3 of(glm::vec3 v) const
     {
-        return v * m_cosine + glm::cross(m_axis, v) * m_sine + m_axis * (glm::dot(m_axis, v) * (1.0F - m_cosine));
+        return v * m_of.cosine + glm::cross(m_axis, v) * m_of.sine +
+               m_axis * (glm::dot(m_axis, v) * (1.0F - m_of.cosine));
     }
 
 private:
     glm::vec3 m_axis;
-    float m_sine;
-    float m_cosine;
+    SineCosine m_of;
 };
 
 } // namespace

@@ -65,6 +65,7 @@ void TestDeterministic::sineAndCosineAreWithinTwoMillionths()
         const float x = static_cast<float>(i) * 0.0499F;
         QVERIFY2(std::abs(static_cast<double>(sinDet(x)) - std::sin(static_cast<double>(x))) < 2e-6,
                  qPrintable(QString::number(x)));
+        QVERIFY(sinCosDet(x).sine == sinDet(x) && sinCosDet(x).cosine == cosDet(x));
         QVERIFY2(std::abs(static_cast<double>(cosDet(x)) - std::cos(static_cast<double>(x))) < 2e-6,
                  qPrintable(QString::number(x)));
     }
