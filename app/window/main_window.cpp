@@ -222,10 +222,10 @@ void MainWindow::connectAreas()
     connect(&m_exchange.work(), &FileWork::done, &status, showMessage);
     connect(&m_jobs, &Jobs::cancelled, &status,
             [&status](const QString& sentence) { status.showMessage(sentence, false, kReasonMs); });
-    auto* areaMenu = new AreaMenu(m_actions, this);
-    const auto showMenu = [areaMenu](const QPoint& globalPosition) { areaMenu->popup(globalPosition); };
-    connect(&head, &view::HeadView::contextMenuWanted, areaMenu, showMenu);
-    connect(&paint, &view::PaintView::contextMenuWanted, areaMenu, showMenu);
+    auto* onHead = new AreaMenu(AreaMenu::Area::Head, m_actions, this);
+    auto* onMap = new AreaMenu(AreaMenu::Area::Map, m_actions, this);
+    connect(&head, &view::HeadView::contextMenuWanted, onHead, [onHead](const QPoint& at) { onHead->popup(at); });
+    connect(&paint, &view::PaintView::contextMenuWanted, onMap, [onMap](const QPoint& at) { onMap->popup(at); });
 }
 
 void MainWindow::connectFiles()

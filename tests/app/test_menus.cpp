@@ -1,6 +1,7 @@
 // The menus of the real window, where what is on is seen to be on, and its panels.
 #include "app/styles/library.h"
 #include "app/window/main_window.h"
+#include "app/window/menus/area_menu.h"
 #include "model/document/group_commands.h"
 #include "model/files/project_file.h"
 #include "tests/support/patience.h"
@@ -54,6 +55,47 @@ private Q_SLOTS:
             switches += binding.action->isCheckable() ? 1 : 0;
         }
         QVERIFY(switches > 8);
+    }
+
+    void viewCommandsOfAMenuAreForTheAreaThatThePointerCameFrom()
+    {
+        view::HeadView& head = m_window->headView();
+        rendering::Camera moved = head.camera();
+        const rendering::Camera home = moved;
+        moved.azimuthRad += 1.0F;
+        const auto enter = [](QWidget& area) {
+            QEnterEvent event(QPointF(9.0, 9.0), QPointF(9.0, 9.0), area.mapToGlobal(QPointF(9.0, 9.0)));
+            QCoreApplication::sendEvent(&area, &event);
+        };
+        enter(*m_window->findChild<view::PaintView*>());
+        head.setCamera(moved);
+        trigger("view.home");
+        QCOMPARE(head.camera().azimuthRad, moved.azimuthRad);
+        enter(head);
+        trigger("view.home");
+        QTRY_COMPARE_WITH_TIMEOUT(head.camera().azimuthRad, home.azimuthRad, test::kPatienceMs);
+        head.setCamera(moved);
+        enter(*m_window->findChild<view::PaintView*>());
+        trigger("view.head"); // The only one that is shown.
+        trigger("view.home");
+        QTRY_COMPARE_WITH_TIMEOUT(head.camera().azimuthRad, home.azimuthRad, test::kPatienceMs);
+        trigger("view.both");
+    }
+
+    void theHeadsMenuBeginsWithWhatIsDoneToHair()
+    {
+        const auto titles = [this](AreaMenu::Area area) {
+            QStringList found;
+            const AreaMenu menu(area, m_window->actions(), nullptr);
+            for (const QAction* action : menu.actions())
+                found += action->text().remove(QLatin1Char('&'));
+            return found;
+        };
+        const QStringList head = titles(AreaMenu::Area::Head);
+        QCOMPARE(head.indexOf(QStringLiteral("Tie and put on")), 3); // After undo, redo and a separator.
+        QVERIFY(!head.contains(QStringLiteral("Paste")));
+        const QStringList map = titles(AreaMenu::Area::Map);
+        QVERIFY(map.contains(QStringLiteral("Paste")) && map.contains(QStringLiteral("Tie and put on")));
     }
 
     void browsAndLashesAreASwitch()

@@ -5,6 +5,8 @@
 #include "tests/support/test_program.h"
 #include "tests/view/panel_fixture.h"
 
+#include <QTextBlock>
+#include <QTextBrowser>
 #include <QtTest>
 
 using namespace hairpaint;
@@ -32,6 +34,18 @@ private Q_SLOTS:
         for (const QString& range : {QStringLiteral(u"0.1\u201330.0 cm"), QStringLiteral(u"0.0\u201310.0 mm"),
                                      QStringLiteral(u"-100\u2013100 %")})
             QVERIFY2(text.contains(range), qPrintable(range));
+    }
+
+    void it_opens_at_the_tool_in_hand()
+    {
+        PanelFixture f;
+        HelpDialog help(f.state, {});
+        for (const model::ToolId id : {model::ToolId::Comb, model::ToolId::Brush}) {
+            f.state.tools().choose(id);
+            help.showTopic(HelpDialog::Topic::Tools);
+            const auto* browser = help.findChild<QTextBrowser*>();
+            QCOMPARE(browser->cursorForPosition(QPoint(4, 8)).block().text(), f.state.tools().active().title());
+        }
     }
 };
 

@@ -22,6 +22,11 @@ QString anchorOf(HelpDialog::Topic topic)
     return QStringLiteral("topic%1").arg(static_cast<int>(topic));
 }
 
+QString anchorOf(const model::Tool& tool)
+{
+    return QStringLiteral("tool-") + QLatin1String(tool.name());
+}
+
 QString heading(HelpDialog::Topic topic, const QString& title)
 {
     return QStringLiteral("<h3><a name=\"%1\"></a>%2</h3>").arg(anchorOf(topic), title.toHtmlEscaped());
@@ -103,8 +108,9 @@ QString toolPage(const EditorState& state, const std::vector<KeyBinding>& bindin
                        "the selection where there is one."));
     for (const auto& tool : state.tools().all()) {
         const QString key = keyOf(bindings, QStringLiteral("tool.") + QLatin1String(tool->name()));
-        html += QStringLiteral("<h4>%1</h4>")
-                    .arg((key.isEmpty() ? tool->title() : QStringLiteral("%1 (%2)").arg(tool->title(), key))
+        html += QStringLiteral("<h4><a name=\"%1\"></a>%2</h4>")
+                    .arg(anchorOf(*tool),
+                         (key.isEmpty() ? tool->title() : QStringLiteral("%1 (%2)").arg(tool->title(), key))
                              .toHtmlEscaped()) +
                 paragraph(tool->purpose()) + paragraph(tool->hint()) + optionTable(*tool);
     }
@@ -278,7 +284,7 @@ void HelpDialog::showTopic(Topic topic)
     show();
     raise();
     activateWindow();
-    m_browser->scrollToAnchor(anchorOf(topic));
+    m_browser->scrollToAnchor(topic == Topic::Tools ? anchorOf(m_state.tools().active()) : anchorOf(topic));
 }
 
 QString HelpDialog::text() const

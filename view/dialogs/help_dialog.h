@@ -36,6 +36,7 @@ public:
     };
 
     HelpDialog(const EditorState& state, std::vector<KeyBinding> bindings, QWidget* parent = nullptr);
+    /// Of the tools, the one in hand.
     void showTopic(Topic topic);
     /// All of it, as plain text.
     [[nodiscard]] QString text() const;

@@ -1,6 +1,7 @@
 // The View menu: see the header.
 #include "app/window/menus/view_menu.h"
 
+#include "app/window/menus/pointed_area.h"
 #include "view/head_area/head_view.h"
 #include "view/paint_area/paint_view.h"
 
@@ -76,8 +77,10 @@ void ViewMenu::addLook(ActionSet& actions, Workspace& workspace, view::EditorSta
 {
     view::HeadView& head = workspace.headView();
     view::PaintView& paint = workspace.paintView();
-    const auto underMouse = [&head, &paint](void (view::HeadView::*ofHead)(), void (view::PaintView::*ofPaint)()) {
-        return [&head, &paint, ofHead, ofPaint] { head.underMouse() ? (head.*ofHead)() : (paint.*ofPaint)(); };
+    const auto* pointed = new PointedArea(head, paint); // Belongs to the head's area.
+    const auto underMouse = [&head, &paint, pointed](void (view::HeadView::*ofHead)(),
+                                                     void (view::PaintView::*ofPaint)()) {
+        return [&head, &paint, pointed, ofHead, ofPaint] { pointed->isHead() ? (head.*ofHead)() : (paint.*ofPaint)(); };
     };
     actions.add(
         *this,
