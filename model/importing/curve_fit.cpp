@@ -213,7 +213,7 @@ ForeignCurves sampledCurves(const ForeignCurves& curves)
     ForeignCurves sample;
     sample.metresPerUnit = curves.metresPerUnit;
     sample.upAxis = curves.upAxis;
-    const std::size_t step = (countOf(curves) + kMostSampled - 1) / kMostSampled;
+    const std::size_t step = std::max<std::size_t>((countOf(curves) + kMostSampled - 1) / kMostSampled, 1);
     std::size_t number = 0;
     for (const ForeignStrands& strands : curves.groups) {
         ForeignStrands& some = sample.groups.emplace_back();

@@ -15,7 +15,7 @@ namespace {
 
 /// Columns: to the picture's right, up, toward the eye. The face looks along +z, the head's left is +x.
 const std::array<glm::mat3, 2> kSides{glm::mat3(1.0F),
-                                     glm::mat3({0.0F, 0.0F, -1.0F}, {0.0F, 1.0F, 0.0F}, {1.0F, 0.0F, 0.0F})};
+                                      glm::mat3({0.0F, 0.0F, -1.0F}, {0.0F, 1.0F, 0.0F}, {1.0F, 0.0F, 0.0F})};
 constexpr float kHeadPart = 0.8F; ///< So that hair which stands or hangs has room.
 constexpr std::size_t kMostPoints = 24;
 
