@@ -2806,6 +2806,10 @@
         <translation>Moño alto con rapado</translation>
     </message>
     <message>
+        <source>Crown braid</source>
+        <translation>Trenza de corona</translation>
+    </message>
+    <message>
         <source>Fishtail plait</source>
         <translation>Trenza de espiga</translation>
     </message>
