@@ -7262,6 +7262,14 @@ Se ha perdido esto:</translation>
         <translation>Quitar de favoritos (%1)</translation>
     </message>
     <message>
+        <source>About this style (Space)</source>
+        <translation>Acerca de este estilo (Espacio)</translation>
+    </message>
+    <message>
+        <source>About %1</source>
+        <translation>Acerca de %1</translation>
+    </message>
+    <message>
         <source>A favourite (%1)</source>
         <translation>Añadir a favoritos (%1)</translation>
     </message>
