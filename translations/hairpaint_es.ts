@@ -2806,6 +2806,10 @@
         <translation>Moño alto con rapado</translation>
     </message>
     <message>
+        <source>Crown braid</source>
+        <translation>Trenza de corona</translation>
+    </message>
+    <message>
         <source>Fishtail plait</source>
         <translation>Trenza de espiga</translation>
     </message>
@@ -7284,6 +7288,14 @@ Se ha perdido esto:</translation>
     <message>
         <source>No favourite any more (%1)</source>
         <translation>Quitar de favoritos (%1)</translation>
+    </message>
+    <message>
+        <source>About this style (Space)</source>
+        <translation>Acerca de este estilo (Espacio)</translation>
+    </message>
+    <message>
+        <source>About %1</source>
+        <translation>Acerca de %1</translation>
     </message>
     <message>
         <source>A favourite (%1)</source>

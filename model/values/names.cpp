@@ -38,6 +38,7 @@ constexpr std::array kNames = {
     QT_TRANSLATE_NOOP("Names", "Half-up with bow"),
     QT_TRANSLATE_NOOP("Names", "Twin tails"),
     QT_TRANSLATE_NOOP("Names", "Top knot with undercut"),
+    QT_TRANSLATE_NOOP("Names", "Crown braid"),
     QT_TRANSLATE_NOOP("Names", "Fishtail plait"),
     QT_TRANSLATE_NOOP("Names", "Box braids"),
     QT_TRANSLATE_NOOP("Names", "Cornrows"),

@@ -21,8 +21,17 @@ constexpr std::size_t kFewSampled = 32;        ///< and where a patch has fewer 
 constexpr std::size_t kMostBraids = 256;
 constexpr int kLloydSteps = 4;
 constexpr float kShortestM = 0.005F;
-constexpr float kMostCornrowM = 0.002F; ///< Greatest radius of a cornrow, which so keeps within 6 mm of the skin.
 constexpr std::size_t kHairsAtOnce = 4096;
+
+/// Greatest radius of a braid along a strip of that width. On a narrow strip it keeps within 6 mm of the skin; on a
+/// wide one it is as thick as its hair makes it, as a braid that lies around the head is.
+float greatestRowRadiusM(float widthM)
+{
+    constexpr float kCornrowM = 0.002F;
+    constexpr float kNarrowM = 0.016F;
+    constexpr float kOfFurther = 0.25F;
+    return std::max(kCornrowM, kOfFurther * (widthM - kNarrowM));
+}
 
 float squaredDistance(glm::vec3 a, glm::vec3 b)
 {
@@ -371,10 +380,11 @@ void BraidLayout::measure(const Inputs& inputs)
         braid.lengthM =
             isOwn ? inputs.basisLengthM[braid.basis]
                   : std::max(lengthOf(inputs.settings, inputs.length.scalar(inputs.roots.uv[braid.root])), kShortestM);
-        braid.radiusM = std::min(braidRadiusM(inputs.settings, braid.lengthM),
-                                 filledRadiusM(inputs.settings, braid.kind, m_hairCount[i]));
+        const float lacedM = braid.lengthM + (braid.row ? braid.row->lengthM : 0.0F);
+        braid.radiusM =
+            std::min(braidRadiusM(inputs.settings, lacedM), filledRadiusM(inputs.settings, braid.kind, m_hairCount[i]));
         if (braid.row)
-            braid.radiusM = std::min(braid.radiusM, kMostCornrowM);
+            braid.radiusM = std::min(braid.radiusM, greatestRowRadiusM(braid.row->widthM));
     }
 }
 

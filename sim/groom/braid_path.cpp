@@ -160,19 +160,38 @@ float braidRest(const RootFrame& root, const RootFrame& centre, float aboveM, fl
     return scalpM;
 }
 
-CornrowJoin cornrowRest(glm::vec3 rootHd, const BraidRow& row, float radiusM, float tailM, std::span<glm::vec3> nodesHd)
+CornrowJoin cornrowRest(const RootFrame& root, const BraidRow& row, float radiusM, float tailM,
+                        std::span<glm::vec3> nodesHd)
 {
     constexpr float kJoinsOnM = 0.006F;
+    constexpr float kOverAside = 1.2F;   // From further away at a slant.
+    constexpr float kTuckedUnder = 0.7F; // Of its height.
     CornrowJoin join;
-    join.beforeM = std::min(alongRowM(row, rootHd) + kJoinsOnM, row.lengthM);
+    const RowPoint nearest = nearestOnRow(row, root.positionHd);
+    join.beforeM = std::min(nearest.alongM + std::max(kJoinsOnM, kOverAside * nearest.asideM), row.lengthM);
     join.lengthM = row.lengthM - join.beforeM + tailM;
-    const auto spans = static_cast<float>(nodesHd.size() - 2);
-    nodesHd[0] = rootHd;
-    for (std::size_t node = 1; node < nodesHd.size(); ++node)
-        nodesHd[node] = onRow(row, join.beforeM + join.lengthM * static_cast<float>(node - 1) / spans,
-                              kCornrowAboveRadii * radiusM);
-    join.scalpM = lengthOf(nodesHd[1] - rootHd);
-    join.end = (1.0F + spans * (row.lengthM - join.beforeM) / join.lengthM) / (spans + 1.0F);
+    const glm::vec3 chord = onRow(row, join.beforeM, kCornrowAboveRadii * radiusM) - root.positionHd;
+    // On a ball the middle of a chord lies a quarter as deep under the skin as its end does under the plane through
+    // its begin.
+    const float deep = std::max(glm::dot(root.positionHd - onRow(row, join.beforeM, 0.0F), root.normalHd), 0.0F);
+    join.scalpM = lengthOf(chord);
+    // As even as the rest, so that the curve through the nodes does not swing out.
+    const std::size_t last = nodesHd.size() - 1;
+    const float evenly = join.scalpM / (join.scalpM + join.lengthM) * static_cast<float>(last);
+    const std::size_t gathered = std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(evenly)), 1, last - 1);
+    for (std::size_t node = 0; node < gathered; ++node) {
+        const float t = static_cast<float>(node) / static_cast<float>(gathered);
+        nodesHd[node] = root.positionHd + chord * t + root.normalHd * (t * (1.0F - t) * deep);
+    }
+    const auto spans = static_cast<float>(last - gathered);
+    const bool isTucked = tailM < kLongestTuckedM;
+    for (std::size_t node = gathered; node <= last; ++node) {
+        const float alongM = join.beforeM + join.lengthM * static_cast<float>(node - gathered) / spans;
+        const float inTail = isTucked ? std::max(alongM - row.lengthM, 0.0F) / std::max(tailM, 1e-4F) : 0.0F;
+        nodesHd[node] = onRow(row, alongM, kCornrowAboveRadii * radiusM * (1.0F - kTuckedUnder * inTail));
+    }
+    join.start = static_cast<float>(gathered) / static_cast<float>(last);
+    join.end = isTucked ? 1.0F : join.start + (1.0F - join.start) * (row.lengthM - join.beforeM) / join.lengthM;
     return join;
 }
 

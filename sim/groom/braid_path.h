@@ -21,18 +21,21 @@ inline constexpr BraidKind kCoilKind{8};
 [[nodiscard]] float braidRest(const RootFrame& root, const RootFrame& centre, float aboveM, float centreLengthM,
                               std::span<glm::vec3> nodesHd);
 
-/// The path of a hair in a cornrow: it joins the row a little further on, follows it over the skin to the row's end and
-/// goes straight on from there.
+/// The path of a hair in a cornrow: it joins the row a little further on, the further the further away it grows,
+/// follows it over the skin to the row's end and goes straight on from there. A tail of less than kLongestTuckedM stays
+/// on the skin and slants under what lies there; a longer one is free.
 struct CornrowJoin
 {
     float scalpM = 0.0F;  ///< Length from the root to where it joins the row.
     float beforeM = 0.0F; ///< Length of the row before that point.
     float lengthM = 0.0F; ///< Length from that point to the tip.
-    float end = 0.0F;     ///< Fraction of the skeleton at the row's end.
+    float start = 0.0F;   ///< Fraction of the skeleton where it joins the row,
+    float end = 0.0F;     ///< and where it leaves the skin.
 };
 /// How far over the skin the middle of a cornrow runs, in its radii: its wisps reach 1.6 up and down.
 inline constexpr float kCornrowAboveRadii = 1.2F;
-[[nodiscard]] CornrowJoin cornrowRest(glm::vec3 rootHd, const BraidRow& row, float radiusM, float tailM,
+inline constexpr float kLongestTuckedM = 0.03F;
+[[nodiscard]] CornrowJoin cornrowRest(const RootFrame& root, const BraidRow& row, float radiusM, float tailM,
                                       std::span<glm::vec3> nodesHd);
 
 /// Number of wisps of a kind: see BraidLacing.

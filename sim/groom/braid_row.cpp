@@ -156,10 +156,13 @@ BraidRow rowAlong(const RootSet& roots, std::span<const std::uint32_t> slots)
         side += glm::cross(row.normalsHd[i], onward);
     }
     row.sideHd = unitVectorOr(side, roots.tangentHd[slots.front()]);
+    // Roots that lie evenly are a quarter of the width away from the middle.
+    for (const glm::vec3& position : positions)
+        row.widthM += 4.0F * nearestOnRow(row, position).asideM / static_cast<float>(positions.size());
     return row;
 }
 
-float alongRowM(const BraidRow& row, glm::vec3 positionHd)
+RowPoint nearestOnRow(const BraidRow& row, glm::vec3 positionHd)
 {
     const float segmentM = row.lengthM / static_cast<float>(row.pointsHd.size() - 1);
     float nearest = kFar;
@@ -174,7 +177,7 @@ float alongRowM(const BraidRow& row, glm::vec3 positionHd)
             alongM = (static_cast<float>(i) + t) * segmentM;
         }
     }
-    return alongM;
+    return {.alongM = alongM, .asideM = std::sqrt(nearest)};
 }
 
 glm::vec3 onRow(const BraidRow& row, float alongM, float aboveM)

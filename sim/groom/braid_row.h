@@ -15,6 +15,7 @@ struct BraidRow
     std::vector<glm::vec3> pointsHd;  ///< On the skin, evenly from its begin to its end,
     std::vector<glm::vec3> normalsHd; ///< and unit normals there. Two or more.
     float lengthM = 0.0F;
+    float widthM = 0.0F;                ///< Of the strip, in the mean.
     glm::vec3 sideHd{1.0F, 0.0F, 0.0F}; ///< Unit: across it along the skin, in the mean.
     friend bool operator==(const BraidRow&, const BraidRow&) = default;
 };
@@ -22,8 +23,13 @@ struct BraidRow
 /// Through those roots, which lie evenly on a strip: by their distances over the skin from one of its ends.
 [[nodiscard]] BraidRow rowAlong(const RootSet& roots, std::span<const std::uint32_t> slots);
 
-/// How far along a row its nearest point to there is, m.
-[[nodiscard]] float alongRowM(const BraidRow& row, glm::vec3 positionHd);
+/// The nearest point of a row to another point, m.
+struct RowPoint
+{
+    float alongM = 0.0F; ///< How far along the row it is,
+    float asideM = 0.0F; ///< and how far away.
+};
+[[nodiscard]] RowPoint nearestOnRow(const BraidRow& row, glm::vec3 positionHd);
 
 /// A point over the skin so far along it; beyond its end straight on.
 [[nodiscard]] glm::vec3 onRow(const BraidRow& row, float alongM, float aboveM);

@@ -179,11 +179,11 @@ private:
     void joinRow(std::uint32_t slot, StrandStyle style, const Braid& braid)
     {
         const RootSet& roots = m_inputs.roots;
-        const CornrowJoin join = cornrowRest(roots.positionHd[slot], *braid.row, braid.radiusM, braid.lengthM,
+        const CornrowJoin join = cornrowRest(rootFrame(roots, slot), *braid.row, braid.radiusM, braid.lengthM,
                                              std::span(m_buffer).first(m_nodes));
         applyBraid(m_inputs.settings, braid.kind, wispChanceOf(roots.seed, roots.rankOfSlot[slot]),
                    {.scalpM = join.scalpM, .lengthM = join.lengthM, .radiusM = braid.radiusM}, style);
-        style.braidStart = 1.0F / static_cast<float>(m_nodes - 1);
+        style.braidStart = join.start;
         style.phase = join.beforeM * style.braidTurns / join.lengthM;
         m_passed.put(slot, {});
         store(slot, style, {.centre = braid.basis, .leader = roots.neighbours[slot][0]});

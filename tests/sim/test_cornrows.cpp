@@ -56,6 +56,8 @@ private Q_SLOTS:
     void itKeepsWithinSixMillimetresOfTheSkin();
     void hairsThatJoinItFurtherOnAreInStep();
     void itsEndIsFree();
+    void aWideStripIsAThickBraid();
+    void aShortTailStaysOnTheSkin();
     void paintingAnotherGivesWhatAFreshGroomHas();
 };
 
@@ -76,7 +78,7 @@ void TestCornrows::aStripIsOneRowFromItsUpperEndToItsLower()
         const float u = 0.5F + std::atan2(row.pointsHd[i].x, row.pointsHd[i].z) / 6.2832F;
         QVERIFY2(std::abs(u - 0.416F) < 0.012F, qPrintable(QString::number(u)));
     }
-    QVERIFY(std::abs(alongRowM(row, row.pointsHd[16]) - 0.5F * row.lengthM) < 0.01F * row.lengthM);
+    QVERIFY(std::abs(nearestOnRow(row, row.pointsHd[16]).alongM - 0.5F * row.lengthM) < 0.01F * row.lengthM);
     QVERIFY(glm::length(onRow(row, row.lengthM + 0.05F, 0.0F) - row.pointsHd.back()) > 0.045F);
 }
 
@@ -177,6 +179,51 @@ void TestCornrows::itsEndIsFree()
         QVERIFY(before.back().y < hair.endHd.y - 0.15F);
         QVERIFY(glm::length(after.back() - before.back()) > 0.03F);
     });
+}
+
+void TestCornrows::aWideStripIsAThickBraid()
+{
+    GroomInput input = paintedBall(20000, 800);
+    GroomInput::Group& group = input.groups.front();
+    group.settings.nodesPerHair = 24;
+    group.settings.braidRadiusM = 0.008F;
+    // Half around the ball and 5 cm wide.
+    paintSquare(group.maps[MapSlot::Braid], {0.25F, 0.42F}, {0.75F, 0.58F}, kCornrow);
+    const auto groom = tied::groomed(input);
+    int hairs = 0;
+    forEachInRow(*groom, [&](std::uint32_t slot, const CornrowHair& hair) {
+        ++hairs;
+        QVERIFY(groom->style(slot).braidRadiusM > 0.006F);
+        // No hair swings out, or runs under the skin by more than the braid's lower side does.
+        const std::vector<glm::vec3> points = tied::drawn(*groom, slot, tied::restNodes(*groom, slot), kSegments);
+        const auto end = static_cast<std::size_t>(hair.end * static_cast<float>(kSegments));
+        for (std::size_t i = 0; i < end; ++i) {
+            const float aboveM = glm::length(points[i]) - tied::kBallM;
+            QVERIFY2(aboveM > -0.0045F && aboveM < 0.026F, qPrintable(QString::number(aboveM)));
+        }
+    });
+    QVERIFY(hairs > 500);
+}
+
+void TestCornrows::aShortTailStaysOnTheSkin()
+{
+    GroomInput input = rowsOnBall(1);
+    input.groups.front().settings.greatestLengthM = 0.02F;
+    Simulation simulation;
+    simulation.setInput(input);
+    simulation.setWind({.velocity = {14.0F, 0.0F, 0.0F}});
+    simulation.settle(1.0);
+    const GroupFrame blown = tied::frameOf(simulation);
+    int hairs = 0;
+    forEachInRow(*blown.groom, [&](std::uint32_t slot, const CornrowHair&) {
+        ++hairs;
+        const std::vector<glm::vec3> nodes = tied::frameNodes(blown, slot);
+        const std::vector<glm::vec3> rest = tied::restNodes(*blown.groom, slot);
+        for (std::size_t node = 0; node < nodes.size(); ++node)
+            QVERIFY(glm::length(nodes[node] - rest[node]) < 1e-6F);
+        QVERIFY(glm::length(nodes.back()) - tied::kBallM < 0.004F);
+    });
+    QVERIFY(hairs > 200);
 }
 
 void TestCornrows::paintingAnotherGivesWhatAFreshGroomHas()

@@ -179,6 +179,23 @@ private Q_SLOTS:
         QCOMPARE(f.shown(), QStringLiteral("bob waves goatee"));
     }
 
+    void space_and_a_button_tell_of_a_style()
+    {
+        LibraryFixture f;
+        QVERIFY(QTest::qWaitForWindowActive(&f.strip));
+        QStringList told;
+        QObject::connect(&f.strip, &StyleStrip::ordered, &f.strip, [&told](const QString& path, StyleOrder order) {
+            if (order == StyleOrder::About)
+                told << path;
+        });
+        f.named("waves").setFocus();
+        LibraryFixture::press(Qt::Key_Space);
+        QCOMPARE(told, QStringList{QStringLiteral("waves")});
+        QTest::mouseClick(f.named("waves").findChild<QToolButton*>(QStringLiteral("styleAbout")), Qt::LeftButton);
+        QCOMPARE(told.size(), 2);
+        QCOMPARE(f.steps(), 0); // It is not put on.
+    }
+
     void a_single_picture_takes_tab()
     {
         LibraryFixture f;

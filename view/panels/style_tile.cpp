@@ -39,6 +39,11 @@ StyleTile::StyleTile(const QString& path, const QString& name, bool own, QWidget
     m_star->setObjectName(QStringLiteral("styleStar"));
     connect(m_star, &QToolButton::clicked, this, [this] { Q_EMIT favouriteWanted(!m_favourite); });
     setFavourite(false);
+    m_about = addCornerButton(QStringLiteral("about"), kPicture - 2 * kMenu - 4);
+    m_about->setObjectName(QStringLiteral("styleAbout"));
+    m_about->setToolTip(tr("About this style (Space)"));
+    m_about->setAccessibleName(tr("About %1").arg(name));
+    connect(m_about, &QToolButton::clicked, this, [this] { Q_EMIT ordered(StyleOrder::About); });
     m_menu = addCornerButton(QStringLiteral("chevron-down"), kPicture - kMenu - 2);
     m_menu->setObjectName(QStringLiteral("styleMenu"));
     m_menu->setToolTip(tr("Take a part of this style, and more"));
@@ -103,8 +108,9 @@ bool StyleTile::isMarked() const
 
 void StyleTile::refresh()
 {
-    if (m_menu != nullptr)
-        m_menu->setVisible(isMarked());
+    for (QToolButton* button : {m_menu, m_about})
+        if (button != nullptr)
+            button->setVisible(isMarked());
     if (m_star != nullptr)
         m_star->setVisible(m_favourite || isMarked());
     update();
@@ -150,7 +156,9 @@ void StyleTile::keyPressEvent(QKeyEvent* event)
             Q_EMIT ordered(spec->order);
         return;
     }
-    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+    if (event->key() == Qt::Key_Space && !m_path.isEmpty()) // Return puts it on.
+        Q_EMIT ordered(StyleOrder::About);
+    else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
         Q_EMIT chosen(event->modifiers() & ~Qt::KeypadModifier);
     else
         QAbstractButton::keyPressEvent(event);

@@ -58,8 +58,9 @@ private:
     [[nodiscard]] bool takesKey(const QKeyEvent& event) const; ///< It is the favourites' or an order's.
     [[nodiscard]] QToolButton* addCornerButton(const QString& icon, int left);
 
-    QToolButton* m_menu = nullptr; ///< In the picture's corner, while the tile is pointed at or has the focus.
-    QToolButton* m_star = nullptr; ///< In the other corner; of a favourite always.
+    QToolButton* m_menu = nullptr;  ///< In the picture's corner, while the tile is pointed at or has the focus.
+    QToolButton* m_star = nullptr;  ///< In the other corner; of a favourite always.
+    QToolButton* m_about = nullptr; ///< Beside the menu's, with it.
     Qt::KeyboardModifiers m_modifiers;
     QString m_path;
     bool m_own;

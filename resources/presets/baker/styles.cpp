@@ -18,13 +18,14 @@ sim::GroupSettings settingsOf(float greatestLengthM, float stiffnessM, float vol
 
 std::vector<Style> builtInStyles()
 {
-    return {longStraight(),  bob(),           ringlets(),        afro(),        twoPlaits(), mohawk(),
-            splitDye(),      buzzCut(),       slickedUndercut(), quiff(),       sidePart(),  frenchCrop(),
-            curtainLayers(), beachWaves(),    jawBob(),          hime(),        headband(),  wolfCut(),
-            shag(),          curlyBob(),      highPonytail(),    lowPonytail(), twinTails(), halfUp(),
-            lowBun(),        fishtail(),      boxBraids(),       locs(),        cornrows(),  bantuKnots(),
-            twistOut(),      waves360(),      pixie(),           topKnot(),     curlyTop(),  highTop(),
-            lineUp(),        libertySpikes(), stubble(),         goatee(),      fullBeard(), brows()};
+    return {longStraight(),  bob(),        ringlets(),        afro(),        twoPlaits(), mohawk(),
+            splitDye(),      buzzCut(),    slickedUndercut(), quiff(),       sidePart(),  frenchCrop(),
+            curtainLayers(), beachWaves(), jawBob(),          hime(),        headband(),  wolfCut(),
+            shag(),          curlyBob(),   highPonytail(),    lowPonytail(), twinTails(), halfUp(),
+            lowBun(),        crownBraid(), fishtail(),        boxBraids(),   locs(),      cornrows(),
+            bantuKnots(),    twistOut(),   waves360(),        pixie(),       topKnot(),   curlyTop(),
+            highTop(),       lineUp(),     libertySpikes(),   stubble(),     goatee(),    fullBeard(),
+            brows()};
 }
 
 const model::HairGroup& GrownHair::of(const Style& style)

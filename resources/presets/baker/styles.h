@@ -63,6 +63,7 @@ struct Style
 [[nodiscard]] Style bantuKnots();
 [[nodiscard]] Style twistOut();
 [[nodiscard]] Style waves360();
+[[nodiscard]] Style crownBraid();
 
 [[nodiscard]] std::vector<Style> builtInStyles(); ///< In the strip's order.
 

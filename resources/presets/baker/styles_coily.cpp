@@ -56,7 +56,7 @@ Style twistOut()
                                60.0F);
                     front(user, MapKind::Length, user.length(0.10F), 0.06F);
                     user.fill(MapKind::Curl, scalar(1.0F));
-                    user.fill(MapKind::Frizz, scalar(0.12F));
+                    user.fill(MapKind::Frizz, scalar(0.08F));
                     user.setMirror(false);
                     user.part({.reachM = 0.09F, .flatness = 0.5F}, user.overHead(0.03F, 0.06F, -0.04F));
                 }};
@@ -67,7 +67,7 @@ Style twistOut()
     style.settings.curl.switchbacksPerM = 6.0F;
     style.settings.curl.skips = 0.03F;
     style.settings.curl.gather = 0.97F;
-    style.settings.locks = {.sizeM = 0.014F, .small = 0.4F, .twistsPerM = 30.0F, .ragged = 0.2F, .parting = 0.25F};
+    style.settings.locks = {.sizeM = 0.017F, .small = 0.1F, .twistsPerM = 45.0F, .ragged = 0.1F, .parting = 0.25F};
     style.settings.variation.crossing = 0.03F;
     style.settings.variation.curl = 0.12F;
     style.settings.variation.partGapM = 0.0F;

@@ -17,7 +17,14 @@ Style beachWaves()
                     user.setLayerOpacity(MapKind::Density, 0.85F);
                     user.fill(MapKind::Colour, colour(0xFF3E2A1E));
                     user.fill(MapKind::TipColour, colour(0xFFB98C58));
-                    user.fill(MapKind::TipStart, scalar(0.35F));
+                    user.fill(MapKind::TipStart, scalar(0.5F));
+                    // Strands painted by hand, all around: lighter from nearer the root than what lies between.
+                    for (const float degrees : evenly(22.0F, 178.0F, 13.0F)) {
+                        Recording::Points strand;
+                        for (const float heightM : {0.092F, 0.075F, 0.055F, 0.035F})
+                            strand.push_back(user.around(degrees, heightM));
+                        user.brush(MapKind::TipStart, scalar(0.12F), {.sizeM = 0.009F, .hardness = 0.3F}, strand);
+                    }
                     // Lighter from nearer the root about the face.
                     user.brush(MapKind::TipStart, scalar(0.15F), {.sizeM = 0.04F, .hardness = 0.2F},
                                user.level(0.075F, 20.0F, 50.0F));
@@ -79,17 +86,21 @@ Style shag()
                 .record = [](Recording& user) {
                     user.setLayerOpacity(MapKind::Density, 0.92F);
                     user.fill(MapKind::Colour, colour(0xFF6A4630));
-                    cutToLine(user, -0.115F, 0.07F);
+                    cutToLine(user, -0.15F, 0.07F);
+                    // Layers: shortest at the crown.
                     for (const float leftM : {0.0F, 0.02F, 0.04F})
-                        user.brush(MapKind::Length, user.length(0.13F), {.sizeM = 0.045F, .hardness = 0.0F},
-                                   user.overHead(leftM, 0.05F, -0.06F));
+                        user.brush(MapKind::Length, user.length(0.095F), {.sizeM = 0.06F, .hardness = 0.0F},
+                                   user.overHead(leftM, 0.05F, -0.07F));
                     user.fill(MapKind::Curl, scalar(1.0F));
                     user.fill(MapKind::Frizz, scalar(0.15F));
                     combBeforeEars(user);
                     cutFringe(user, {.lengthM = 0.055F, .halfM = 0.041F, .longerM = 0.02F, .flatness = 0.75F});
                 }};
     model::setHairType(style.settings, model::hairType("2C"));
-    style.settings.curl.gather = 0.4F;
+    style.settings.curl.gather = 0.8F;
+    style.settings.locks = {.sizeM = 0.015F, .ragged = 0.5F, .parting = 0.45F};
+    style.settings.variation.length = 0.15F;
+    style.settings.variation.mostShorterM = 0.03F;
     style.settings.nodesPerHair = 12;
     return style;
 }
