@@ -1,10 +1,17 @@
 // Wavefront OBJ: `v x y z r g b` and `l a b`.
 #include "model/exporting/obj_file.h"
 
+#include "model/disk/staged_files.h"
 #include "model/exporting/piece_writer.h"
 #include "model/exporting/worn_body.h"
 
+#include <QDir>
+#include <QFileInfo>
+
 #include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace hairpaint::model {
 
@@ -74,7 +81,10 @@ std::string wornObject(const WornBody& body, const ExportSpace& space, std::uint
             appendNumber(out, value);
         }
     };
-    std::string out = "o " + objectName(body.name) + "\n";
+    std::string out = "o " + objectName(body.name);
+    out += "\nusemtl ";
+    out += objectName(body.name);
+    out.push_back('\n');
     std::string colour;
     for (const int channel : {qRed(body.colour), qGreen(body.colour), qBlue(body.colour)}) {
         colour.push_back(' ');
@@ -105,16 +115,52 @@ std::string wornObject(const WornBody& body, const ExportSpace& space, std::uint
     return out;
 }
 
-} // namespace
+/// Colours as vertices have them; roughness as an exponent for old readers and by itself for new ones.
+void addMaterial(const WornBody& body, std::string& out)
+{
+    constexpr float kGlint = 0.04F; // What is no metal reflects.
+    constexpr float kSharpest = 1000.0F;
+    const auto roughness = static_cast<float>(body.roughness);
+    const auto line = [&out](const char* keyword, std::initializer_list<float> values) {
+        out += keyword;
+        for (const float value : values) {
+            out.push_back(' ');
+            appendFraction(out, value, kObjColourDecimals);
+        }
+        out.push_back('\n');
+    };
+    const auto channel = [](int value) { return static_cast<float>(value) / 255.0F; };
+    out += "\nnewmtl ";
+    out += objectName(body.name);
+    out.push_back('\n');
+    line("Kd", {channel(qRed(body.colour)), channel(qGreen(body.colour)), channel(qBlue(body.colour))});
+    line("Ks", {kGlint, kGlint, kGlint});
+    out += "Ns ";
+    appendNumber(out, kSharpest * (1.0F - roughness) * (1.0F - roughness));
+    out.push_back('\n');
+    line("Pr", {roughness});
+    line("Pm", {0.0F});
+    out += "illum 2\n";
+}
 
-Result<void> writeObjFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
-                          const Progress& progress)
+std::string materialsText(std::span<const WornBody> bodies)
+{
+    std::string text = "# Hair Paint: colours in sRGB\n";
+    for (const WornBody& body : bodies)
+        addMaterial(body, text);
+    return text;
+}
+
+Result<void> writeObj(const CurveSet& curves, const ExportSettings& settings, std::span<const WornBody> bodies,
+                      const QString& path, const QString& materials, const Progress& progress)
 {
     return writeInPieces(
         path, curves.pointCount() * kObjPointBytes, progress, [&](AtomicFile&, PieceWriter& writer) -> Checked<void> {
             writer.write(std::string("# Hair Paint: ") +
                          (settings.space.unitsPerMetre == 1.0F ? "metres" : "centimetres") +
                          ", y up, face toward +z\n");
+            if (!materials.isEmpty())
+                writer.write(QStringLiteral("mtllib %1\n").arg(QFileInfo(materials).fileName()).toStdString());
             constexpr double kVertexWork = 0.8;
             double before = 0.0;
             for (const CurveGroup& group : curves.groups()) {
@@ -128,12 +174,44 @@ Result<void> writeObjFile(const CurveSet& curves, const ExportSettings& settings
                 before = fraction;
             }
             std::uint64_t vertices = curves.pointCount();
-            for (const WornBody& body : wornBodies(curves, settings.worn)) {
+            for (const WornBody& body : bodies) {
                 writer.write(wornObject(body, settings.space, vertices, vertices - curves.pointCount()));
                 vertices += body.mesh.vertices.size();
             }
             return {};
         });
+}
+
+} // namespace
+
+QString objMaterialsPath(const QString& path)
+{
+    const QFileInfo file(path);
+    return file.dir().filePath(file.completeBaseName() + QLatin1String(".mtl"));
+}
+
+Result<void> writeObjFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
+                          const Progress& progress)
+{
+    const std::vector<WornBody> bodies = wornBodies(curves, settings.worn);
+    if (bodies.empty())
+        return writeObj(curves, settings, bodies, path, {}, progress);
+    const QString materials = objMaterialsPath(path);
+    for (const QString& target : {path, materials})
+        if (const Checked<void> writable = checkWritable(target); !writable)
+            return cannotWrite(target, writable.error());
+    StagedFiles staged(QFileInfo(path).path());
+    if (Result<void> ready = staged.check(path); !ready)
+        return ready;
+    const std::string text = materialsText(bodies);
+    if (const Checked<void> written =
+            writeFile(staged.pathFor(materials), {text.data(), static_cast<qsizetype>(text.size())});
+        !written)
+        return cannotWrite(materials, written.error());
+    if (const Result<void> written = writeObj(curves, settings, bodies, staged.pathFor(path), materials, progress);
+        !written)
+        return tl::unexpected(staged.named(written.error(), path));
+    return staged.publish({path, materials});
 }
 
 } // namespace hairpaint::model

@@ -8,8 +8,11 @@
 namespace hairpaint::model {
 
 /// An object a group, and one with faces for each thing that is worn; vertices with colours (sRGB as encoded), and a
-/// line a segment, since some readers keep no more of a longer one. Atomic. Any thread.
+/// line a segment, since some readers keep no more of a longer one. Where something is worn, its materials lie
+/// beside it (objMaterialsPath). Atomic, both together. Any thread.
 [[nodiscard]] Result<void> writeObjFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                                         const Progress& progress = {});
+
+[[nodiscard]] QString objMaterialsPath(const QString& path);
 
 } // namespace hairpaint::model

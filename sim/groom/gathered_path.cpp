@@ -156,8 +156,10 @@ GatheredLay::Course GatheredLay::courseOf(std::uint32_t face, glm::vec3 rootHd, 
             p[k] += offset * (left * left);
         }
     }
-    for (std::size_t k = 0; k < kLast; ++k)
-        course.tautM += lengthOfVector(p[k + 1] - p[k]);
+    for (std::size_t k = 0; k < kLast; ++k) {
+        course.spansM[k] = lengthOfVector(p[k + 1] - p[k]);
+        course.tautM += course.spansM[k];
+    }
     return course;
 }
 
@@ -177,7 +179,7 @@ glm::vec3 GatheredLay::onCourse(const Course& course, float fromRootM) const
     float left = fromRootM;
     glm::vec3 point = p[kStringPoints - 1];
     for (std::size_t k = 0; k + 1 < kStringPoints; ++k) {
-        const float lengthM = lengthOfVector(p[k + 1] - p[k]);
+        const float lengthM = course.spansM[k];
         if (left < lengthM) {
             point = p[k] + (p[k + 1] - p[k]) * (left / lengthM);
             break;

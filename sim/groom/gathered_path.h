@@ -5,6 +5,7 @@
 #include "sim/groom/taut_strings.h"
 #include "sim/groom/tie.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -29,10 +30,11 @@ public:
     struct Course
     {
         TautString string;
-        float tautM = 0.0F;     ///< Its length.
-        float layer = 0.0F;     ///< 0..1: height among the hair that goes with it.
-        glm::vec2 inRing{0.0F}; ///< Where it goes through the ring, from its middle, m.
-        bool isCore = false;    ///< It goes through the middle of the ring: `inRing` is 0.
+        std::array<float, kStringPoints - 1> spansM{}; ///< Distances from each of its points to the next.
+        float tautM = 0.0F;                            ///< Its length.
+        float layer = 0.0F;                            ///< 0..1: height among the hair that goes with it.
+        glm::vec2 inRing{0.0F};                        ///< Where it goes through the ring, from its middle, m.
+        bool isCore = false;                           ///< It goes through the middle of the ring: `inRing` is 0.
     };
     /// `chance`: 0..1, the hair's own. `isCore`: it goes through the middle of the ring.
     [[nodiscard]] Course courseOf(std::uint32_t face, glm::vec3 rootHd, float chance, bool isCore = false) const;

@@ -156,12 +156,17 @@ TautString TautStrings::from(std::uint32_t face, glm::vec3 positionHd) const
         weights[most] = 1.0F;
         sum = 1.0F;
     }
+    std::array<glm::vec3, 3> aside;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        weights[i] /= sum;
+        aside[i] = positionHd - at[i];
+    }
     TautString string;
     for (std::size_t k = 0; k < kStringPoints; ++k) {
         const float left = 1.0F - static_cast<float>(k) / static_cast<float>(kStringPoints - 1);
         glm::vec3 point(0.0F);
         for (std::size_t i = 0; i < weights.size(); ++i)
-            point += (strings[i]->pointsHd[k] + (positionHd - at[i]) * left) * (weights[i] / sum);
+            point += (strings[i]->pointsHd[k] + aside[i] * left) * weights[i];
         string.pointsHd[k] = point;
     }
     return string;

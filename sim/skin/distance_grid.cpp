@@ -278,13 +278,12 @@ std::shared_ptr<const DistanceGrid> DistanceGrid::of(const GridLayout& layout, c
 std::optional<DistanceGrid::Sample> DistanceGrid::at(const glm::vec3& positionHd) const
 {
     const glm::vec3 inCells = (positionHd - m_layout.originHd) / m_layout.cellM;
-    const glm::vec3 low = glm::floor(inCells);
     // Also where the position is not a number.
-    if (!glm::all(glm::greaterThanEqual(low, glm::vec3(0.0F))) ||
-        !glm::all(glm::lessThan(low, glm::vec3(m_layout.size - 1))))
+    if (!glm::all(glm::greaterThanEqual(inCells, glm::vec3(0.0F))) ||
+        !glm::all(glm::lessThan(inCells, glm::vec3(m_layout.size - 1))))
         return std::nullopt;
-    const glm::vec3 t = inCells - low;
-    const glm::ivec3 node(low);
+    const glm::ivec3 node(inCells); // No less than 0, so these are whole cells.
+    const glm::vec3 t = inCells - glm::vec3(node);
     const auto row = static_cast<std::size_t>(m_layout.size.x);
     const auto slice = row * static_cast<std::size_t>(m_layout.size.y);
     const std::size_t first = static_cast<std::size_t>(node.z) * slice + static_cast<std::size_t>(node.y) * row +

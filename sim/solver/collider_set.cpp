@@ -2,7 +2,9 @@
 #include "sim/solver/collider_set.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace hairpaint::sim {
 
@@ -104,17 +106,22 @@ ColliderSet prepareColliders(std::span<const Ellipsoid> ellipsoids, std::shared_
 float strandScale(const Collider& collider, std::span<const glm::vec3> restHd, float growthM)
 {
     float nearest2 = kLargestLift * kLargestLift;
-    for (const glm::vec3& node : restHd)
-        nearest2 = std::min(nearest2, collider.radius2(node));
+    std::array<float, 2> first2 = {2.0F * nearest2, 0.0F}; // Of the first nodes.
+    for (std::size_t i = 0; i < restHd.size(); ++i) {
+        const float node2 = collider.radius2(restHd[i]);
+        nearest2 = std::min(nearest2, node2);
+        if (i < first2.size())
+            first2[i] = node2;
+    }
     float scale = std::sqrt(nearest2);
     // A root far outside belongs to another part of the head: there the ellipsoid keeps its size.
-    if (restHd.empty() || collider.radius2(restHd.front()) > kLargestLift * kLargestLift)
+    if (first2[0] > kLargestLift * kLargestLift)
         scale = std::min(scale, 1.0F);
     const float grown = scale + growthM / collider.meanAxisM;
     if (restHd.size() < 2)
         return grown;
     // What bends a hair up at its root all the time would make it flutter.
-    return std::clamp(std::sqrt(collider.radius2(restHd[1])), scale, grown);
+    return std::clamp(std::sqrt(first2[1]), scale, grown);
 }
 
 namespace {
@@ -137,6 +144,23 @@ bool liesOnSkin(const DistanceGrid& grid, std::span<const glm::vec3> restHd)
     return true;
 }
 
+/// Whether the skin is surely further away than that; a look at one corner of the cell, where its samples differ from
+/// it by its diagonal at most.
+bool isFurther(const SkinField& skin, glm::vec3 pHd, float distanceM)
+{
+    constexpr float kRounding = 1.0F; // Units.
+    std::array<std::int32_t, 3> cell{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        const float at = (pHd[axis] - skin.origin[i]) * skin.inverseCell;
+        if (!(at >= 0.0F && at < skin.last[i]))
+            return false;
+        cell[i] = static_cast<std::int32_t>(at);
+    }
+    const DistanceGrid::Pair& pair = skin.pairs[cell[2] * skin.slice + cell[1] * skin.row + cell[0]];
+    return (static_cast<float>(pair.value) - skin.unitsADiagonal - kRounding) * DistanceGrid::kUnitM > distanceM;
+}
+
 } // namespace
 
 float skinClearance(const ColliderSet& colliders, std::span<const glm::vec3> restHd, float wishedM)
@@ -150,7 +174,10 @@ float skinClearance(const ColliderSet& colliders, std::span<const glm::vec3> res
         for (const float part : kSegmentParts) {
             if (i == 1 && part < 1.0F)
                 continue; // The first segment begins on the skin.
-            const auto sample = colliders.grid->at(restHd[i - 1] + part * (restHd[i] - restHd[i - 1]));
+            const glm::vec3 at = restHd[i - 1] + part * (restHd[i] - restHd[i - 1]);
+            if (isFurther(colliders.skin, at, clearance))
+                continue;
+            const auto sample = colliders.grid->at(at);
             if (!sample)
                 continue;
             if (sample->distanceM < 0.0F)

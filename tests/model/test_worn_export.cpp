@@ -88,6 +88,33 @@ private Q_SLOTS:
         }
     }
 
+    /// Neither file is replaced where one cannot be; hair alone needs no materials.
+    void materialsLieBesideALineFileOrNothingDoes()
+    {
+        QTemporaryDir folder;
+        const auto frame = test::frameOf({test::hairGroup(1, 20'000, 65535, 0)});
+        const QString path = folder.filePath(QStringLiteral("hair.obj"));
+        const auto write = [&](const std::vector<Worn>& worn) {
+            return exportHair(frame,
+                              {.format = findExportFormat(path),
+                               .target = findExportTarget(QLatin1StringView("any")),
+                               .curves = test::allOf(*frame),
+                               .worn = worn},
+                              path);
+        };
+        QVERIFY(write({}));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+        const QByteArray alone = test::readBytes(path);
+        QVERIFY(!alone.contains("mtllib"));
+        QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("hair.mtl")));
+        const Result<void> refused = write({onTopOfAll(WornKind::Ball, 7)});
+        QVERIFY(!refused && refused.error().message.contains(QStringLiteral("hair.mtl")));
+        QCOMPARE(test::readBytes(path), alone);
+        QVERIFY(QDir(folder.path()).rmdir(QStringLiteral("hair.mtl")));
+        QVERIFY(write({onTopOfAll(WornKind::Ball, 7)}));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 2);
+    }
+
     void whatIsDrawnGoesOutWithTheHair()
     {
         const Worn ball = onTopOfAll(WornKind::Ball, 7);
@@ -108,7 +135,16 @@ private Q_SLOTS:
         const QString name = QStringLiteral("Worn_ball_%1").arg(ball.id);
         const QString obj = write(QStringLiteral("hair.obj"));
         const QString object = obj.mid(obj.indexOf(QStringLiteral("\no %1\n").arg(name)) + 1);
-        QVERIFY(object.startsWith(QStringLiteral("o %1\n").arg(name)));
+        QVERIFY(object.startsWith(QStringLiteral("o %1\nusemtl %1\n").arg(name)));
+        QVERIFY(obj.contains(QLatin1String("\nmtllib hair.mtl\n")));
+        const QString materials = QString::fromUtf8(test::readBytes(folder.filePath(QStringLiteral("hair.mtl"))));
+        const QString diffuse = QStringLiteral("newmtl %1\nKd ").arg(name);
+        const QStringList channels =
+            materials.mid(materials.indexOf(diffuse) + diffuse.size()).section(QLatin1Char('\n'), 0, 0).split(u' ');
+        QCOMPARE(channels.size(), 3);
+        QCOMPARE(qRgb(qRound(255.0 * channels[0].toDouble()), qRound(255.0 * channels[1].toDouble()),
+                      qRound(255.0 * channels[2].toDouble())),
+                 ball.colour);
         QCOMPARE(object.count(QLatin1String("\nf ")), static_cast<qsizetype>(faces));
         // The last face names the last vertices, counted through all objects, and the last uv and normals, which are
         // its own alone.
