@@ -2280,6 +2280,10 @@
         <translation>Fijando el pelo</translation>
     </message>
     <message>
+        <source>Nothing to hold: this hair hangs by its weight, or its gel holds it already.</source>
+        <translation>No hay nada que fijar: este pelo cuelga por su peso o su gel ya lo fija.</translation>
+    </message>
+    <message>
         <source>There is no hair to hold in this group.</source>
         <translation>No hay pelo que fijar en este grupo.</translation>
     </message>
@@ -7082,6 +7086,10 @@ Se ha perdido esto:</translation>
     <message>
         <source>Changes that no file holds yet; Ctrl+S saves them</source>
         <translation>Cambios que aún no están en ningún archivo; Ctrl+S los guarda</translation>
+    </message>
+    <message>
+        <source>Drag over hanging hair: it takes the colour from where it is touched to its tips</source>
+        <translation>Arrastra sobre el pelo que cuelga: toma el color desde donde se toca hasta las puntas</translation>
     </message>
     <message>
         <source>%1. Erasing %2</source>

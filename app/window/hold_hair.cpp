@@ -63,13 +63,19 @@ HoldHair::held(const std::shared_ptr<const sim::StrandFrame>& hair)
             std::vector<model::LyingHair> hairs;
             std::vector<model::LyingHair> further;
             if (group != hair->groups.end()) {
-                hairs = model::lyingHairs(*group, hair->pose);
-                further = model::hairsFurtherOn(*group, hair->pose, head->distances.get());
+                hairs = model::lyingHairs(*group, hair->pose, hair->asleep);
+                if (!hair->asleep) // At rest no direction changes.
+                    further = model::hairsFurtherOn(*group, hair->pose, head->distances.get());
             }
             if (hairs.empty())
                 return model::failure(tr("There is no hair to hold in this group."));
             std::optional<Edits> edits = model::holdHair(model::LyingField(hairs, further), request, progress);
-            return edits ? model::Result<Edits>(std::move(*edits)) : model::cancelled({});
+            if (!edits)
+                return model::cancelled({});
+            if (std::ranges::all_of(*edits, [](const model::LayerEdit& edit) { return edit.after.empty(); }))
+                return model::failure(
+                    tr("Nothing to hold: this hair hangs by its weight, or its gel holds it already."));
+            return std::move(*edits);
         });
 }
 

@@ -61,6 +61,7 @@ struct Skin::Index
     BoundingTree tree;
     UvGrid grid;
     std::vector<float> faceAreasM2;
+    std::vector<std::optional<Derivatives>> derivatives; ///< By face.
 };
 
 Skin::Skin(HeadMesh mesh) : Skin(std::move(mesh), std::function<bool()>()) {}
@@ -76,13 +77,15 @@ Skin::Skin(HeadMesh mesh, const std::function<bool()>& goesOn) : m_mesh(std::mov
     GoingOn goingOn(goesOn);
     const auto faceCount = static_cast<std::uint32_t>(m_mesh.triangles.size());
     std::vector<float> areas(faceCount);
+    std::vector<std::optional<Derivatives>> derivativesOfFaces(faceCount);
     // A vertex's tangent is the mean of its faces' dP/du, each by its area.
     m_tangentsHd.assign(m_mesh.positionsHd.size(), glm::vec3(0.0F));
     for (std::uint32_t face = 0; face < faceCount && goingOn.after(1); ++face) {
         const glm::vec3 cross = areaNormal(m_mesh, face);
         areas[face] = 0.5F * std::sqrt(glm::dot(cross, cross));
         m_areaM2 += static_cast<double>(areas[face]);
-        if (const auto derivatives = derivativesOf(m_mesh, face)) {
+        derivativesOfFaces[face] = derivativesOf(m_mesh, face);
+        if (const auto& derivatives = derivativesOfFaces[face]) {
             const glm::vec3 weighted = unitOr(derivatives->dPdu, glm::vec3(0.0F)) * areas[face];
             for (int corner = 0; corner < 3; ++corner)
                 m_tangentsHd[m_mesh.triangles[face][corner]] += weighted;
@@ -93,8 +96,8 @@ Skin::Skin(HeadMesh mesh, const std::function<bool()>& goesOn) : m_mesh(std::mov
         const glm::vec3 tangent = unitOr(m_tangentsHd[vertex], glm::vec3(0.0F));
         m_tangentsHd[vertex] = unitOr(tangent - normal * glm::dot(normal, tangent), anyPerpendicular(normal));
     }
-    auto index =
-        std::make_unique<const Index>(Index{BoundingTree(m_mesh, goingOn), UvGrid(m_mesh, goingOn), std::move(areas)});
+    auto index = std::make_unique<const Index>(
+        Index{BoundingTree(m_mesh, goingOn), UvGrid(m_mesh, goingOn), std::move(areas), std::move(derivativesOfFaces)});
     if (!goingOn.stopped())
         m_index = std::move(index);
 }
@@ -117,12 +120,15 @@ SurfacePoint Skin::at(std::uint32_t face, glm::vec3 barycentric) const
     point.barycentric = barycentric;
     point.uv = blend(m_mesh.uvs);
     point.positionHd = blend(m_mesh.positionsHd);
-    const glm::vec3 faceNormal = unitOr(areaNormal(m_mesh, face), glm::vec3(0.0F, 1.0F, 0.0F));
-    point.normalHd = unitOr(blend(m_mesh.normalsHd), faceNormal);
+    constexpr glm::vec3 kNone(0.0F);
+    point.normalHd = unitOr(blend(m_mesh.normalsHd), kNone);
+    if (point.normalHd == kNone)
+        point.normalHd = unitOr(areaNormal(m_mesh, face), glm::vec3(0.0F, 1.0F, 0.0F));
     const glm::vec3 tangent = blend(m_tangentsHd);
-    point.tangentHd =
-        unitOr(tangent - point.normalHd * glm::dot(point.normalHd, tangent), anyPerpendicular(point.normalHd));
-    if (const auto derivatives = derivativesOf(m_mesh, face)) {
+    point.tangentHd = unitOr(tangent - point.normalHd * glm::dot(point.normalHd, tangent), kNone);
+    if (point.tangentHd == kNone)
+        point.tangentHd = anyPerpendicular(point.normalHd);
+    if (const auto& derivatives = m_index->derivatives[face]) {
         point.dPduHd = derivatives->dPdu;
         point.dPdvHd = derivatives->dPdv;
     } else {

@@ -138,27 +138,31 @@ private Q_SLOTS:
                 QCOMPARE(barber.kept(slot), 1.0F);
     }
 
-    void whereTheMapIsTooCoarseNoHairStaysLongerThanItIsCut()
+    void whereTheMapIsTooCoarseHairThatIsNotCrossedStays()
     {
         constexpr float kLengthM = 0.12F;
         Barber barber(64, 0.3F); // Three roots on five texels.
         barber.settings.cutThrough = true;
         const std::vector<SeenStrand> crossed = barber.view.crossing(std::array{kFrom, kTo}, true);
         barber.cut(kFrom, kTo);
+        const Slots cut = slotsOf(crossed);
+        for (const std::uint32_t slot : barber.positioned()) {
+            if (cut.contains(slot))
+                continue;
+            const float changeM = std::abs(1.0F - barber.kept(slot)) * kLengthM;
+            QVERIFY2(changeM < 0.002F, qPrintable(QString::number(double(changeM))));
+        }
+        // Of what is crossed, most is cut on the line, and little stays longer.
         int exact = 0;
+        int longer = 0;
         for (const SeenStrand& strand : crossed) {
             const float longerM = (barber.kept(strand.slot) - strand.fraction) * kLengthM;
-            QVERIFY2(longerM < 0.005F, qPrintable(QString::number(double(longerM))));
+            longer += longerM >= 0.005F ? 1 : 0;
             exact += std::abs(longerM) < 0.005F ? 1 : 0;
         }
         QVERIFY2(exact > static_cast<int>(crossed.size()) / 2, qPrintable(QString::number(exact)));
-        // Among more than a thousand uncut hairs, few become visibly shorter.
-        const Slots cut = slotsOf(crossed);
-        const auto positioned = barber.positioned();
-        const auto shorter = std::ranges::count_if(positioned, [&](std::uint32_t slot) {
-            return !cut.contains(slot) && (1.0F - barber.kept(slot)) * kLengthM > 0.005F;
-        });
-        QVERIFY2(shorter < 22, qPrintable(QString::number(shorter)));
+        QVERIFY2(longer < static_cast<int>(crossed.size()) / 20,
+                 qPrintable(QStringLiteral("%1 of %2").arg(longer).arg(crossed.size())));
         // Thinning spares the hairs between.
         barber.document.undo();
         barber.settings.cutFraction = 0.5F;

@@ -7,91 +7,14 @@
 #define HWY_TARGET_INCLUDE "view/picking/block_kernel.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.
-#include "sim/base/lanes_inl.h"
+#include "view/picking/picking_lanes_inl.h"
 #include <algorithm>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::view::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using namespace sim::HWY_NAMESPACE;
-
-HWY_INLINE std::uint32_t bitsOf(Yes yes)
-{
-    std::uint8_t bytes[8] = {}; // As many as the function may write. NOLINT(modernize-avoid-c-arrays)
-    hn::StoreMaskBits(Tag(), yes.m, bytes);
-    return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8U;
-}
-
-HWY_INLINE Lanes3 seenBy(const Lens& lens, const Lanes3& p)
-{
-    const glm::mat4& m = lens.view();
-    const auto row = [&](int r) {
-        return Lanes(m[0][r]) * p.x + Lanes(m[1][r]) * p.y + Lanes(m[2][r]) * p.z + Lanes(m[3][r]);
-    };
-    const Lanes depth = Lanes(0.0F) - row(2);
-    const Lanes scale = Lanes(lens.px()) / most(depth, Lanes(Lens::kNearestM));
-    return {Lanes(lens.half().x) + row(0) * scale, Lanes(lens.half().y) - row(1) * scale, depth};
-}
-
-struct Point
-{
-    Lanes x, y;
-};
-HWY_INLINE Point between(const Point& a, const Point& b, Lanes t)
-{
-    return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
-}
-HWY_INLINE Lanes apartOf(const Point& a, const Point& b)
-{
-    const Lanes x = b.x - a.x;
-    const Lanes y = b.y - a.y;
-    return root(x * x + y * y);
-}
-HWY_INLINE Lanes fractionNearest(const Point& point, const Point& from, const Point& to)
-{
-    const Lanes x = to.x - from.x;
-    const Lanes y = to.y - from.y;
-    const Lanes square = x * x + y * y;
-    const Lanes along = (point.x - from.x) * x + (point.y - from.y) * y;
-    return select(square > Lanes(0.0F), clamped(along / square, 0.0F, 1.0F), Lanes(0.0F));
-}
-
-/// nearestOf() of picture_brush.h.
-HWY_INLINE void nearestTo(const PictureBrush& brush, const Point& a, const Point& b, Lanes& fraction, Lanes& apart)
-{
-    const Point c{Lanes(brush.from.x), Lanes(brush.from.y)};
-    if (brush.from == brush.to) {
-        fraction = fractionNearest(c, a, b);
-        apart = apartOf(between(a, b, fraction), c);
-        return;
-    }
-    const Point d{Lanes(brush.to.x), Lanes(brush.to.y)};
-    const auto apartAt = [&](Lanes t) {
-        const Point point = between(a, b, t);
-        return apartOf(point, between(c, d, fractionNearest(point, c, d)));
-    };
-    fraction = Lanes(0.0F);
-    apart = apartAt(fraction);
-    for (const Lanes t : {Lanes(1.0F), fractionNearest(c, a, b), fractionNearest(d, a, b)}) {
-        const Lanes other = apartAt(t);
-        fraction = select(other < apart, t, fraction);
-        apart = least(other, apart);
-    }
-    const Point segment{b.x - a.x, b.y - a.y};
-    const Point edge{d.x - c.x, d.y - c.y};
-    const Lanes area = segment.x * edge.y - segment.y * edge.x;
-    const Lanes along = ((c.x - a.x) * edge.y - (c.y - a.y) * edge.x) / area;
-    const Lanes alongEdge = ((c.x - a.x) * segment.y - (c.y - a.y) * segment.x) / area;
-    const Yes crosses = (magnitude(area) > Lanes(1e-9F)) & (along >= Lanes(0.0F)) & (along <= Lanes(1.0F)) &
-                        (alongEdge >= Lanes(0.0F)) & (alongEdge <= Lanes(1.0F));
-    fraction = select(crosses, along, fraction);
-    apart = select(crosses, Lanes(0.0F), apart);
-}
-
-HWY_INLINE void lookFrom(const Lens& lens, const BlockQuestion& question, const PictureBrush* brush, std::size_t lane,
-                         BlockAnswer& answer)
+HWY_INLINE void lookFrom(const Lens& lens, const BlockQuestion& question, std::size_t lane, BlockAnswer& answer)
 {
     const Lanes strayM = loaded(question.straysM + lane);
     const auto spanOf = [](std::size_t segment) { return segment / HairBoxes::kSpan; };
@@ -116,23 +39,15 @@ HWY_INLINE void lookFrom(const Lens& lens, const BlockQuestion& question, const 
             answer.anyNear |= lanes;
             if (lanes != 0)
                 stored(stray, answer.strayPx[n].data() + lane);
-            if (lanes != 0 && brush != nullptr) {
-                Lanes fraction;
-                Lanes apart;
-                nearestTo(*brush, {last.x, last.y}, {next.x, next.y}, fraction, apart);
-                stored(fraction, answer.fraction[n].data() + lane);
-                stored(apart, answer.apartPx[n].data() + lane);
-                answer.touching[n] |= bitsOf(apart <= Lanes(brush->radiusPx) + stray) << lane & lanes;
-            }
         }
         last = next;
     }
 }
 
-void LookFor(const Lens& lens, const BlockQuestion& question, const PictureBrush* brush, BlockAnswer& answer)
+void LookFor(const Lens& lens, const BlockQuestion& question, BlockAnswer& answer)
 {
     for (std::size_t lane = 0; lane < kPickLanes; lane += hn::Lanes(Tag()))
-        lookFrom(lens, question, brush, lane, answer);
+        lookFrom(lens, question, lane, answer);
 }
 
 HWY_INLINE float leastOf(Lanes a)
@@ -250,26 +165,11 @@ HWY_EXPORT(RowsSeen);
 HWY_EXPORT(CurvesNear);
 HWY_EXPORT(LengthsAlong);
 
-namespace {
-
-void lookFor(const Lens& lens, const BlockQuestion& question, const PictureBrush* brush, BlockAnswer& answer)
-{
-    std::fill_n(answer.near.begin(), question.nodes, 0U);
-    std::fill_n(answer.touching.begin(), question.nodes, 0U);
-    answer.anyNear = 0;
-    HWY_DYNAMIC_DISPATCH(LookFor)(lens, question, brush, answer);
-}
-
-} // namespace
-
 void findNear(const Lens& lens, const BlockQuestion& question, BlockAnswer& answer)
 {
-    lookFor(lens, question, nullptr, answer);
-}
-
-void findTouches(const Lens& lens, const BlockQuestion& question, const PictureBrush& brush, BlockAnswer& answer)
-{
-    lookFor(lens, question, &brush, answer);
+    std::fill_n(answer.near.begin(), question.nodes, 0U);
+    answer.anyNear = 0;
+    HWY_DYNAMIC_DISPATCH(LookFor)(lens, question, answer);
 }
 
 void findBoxes(const Lens& lens, const BlockQuestion& question, PictureBox* boxes, float* nearestM)

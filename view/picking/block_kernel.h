@@ -29,20 +29,14 @@ struct BlockAnswer
 {
     /// [nodes][3][kPickLanes] as Lens::seen() gives it.
     std::array<std::array<float, 3 * kPickLanes>, sim::kMostNodes> seen;
-    std::array<PickRow, sim::kMostNodes> strayPx;
-    /// Fraction of the segment at which it is nearest to the brush's middle.
-    std::array<PickRow, sim::kMostNodes> fraction;
-    std::array<PickRow, sim::kMostNodes> apartPx;        ///< Distance from the brush's middle there.
-    std::array<std::uint32_t, sim::kMostNodes> near;     ///< Bit a lane: its curve may meet the box.
-    std::array<std::uint32_t, sim::kMostNodes> touching; ///< Its curve may meet the brush.
+    std::array<PickRow, sim::kMostNodes> strayPx;    ///< How far the drawn curve may be from the skeleton there.
+    std::array<std::uint32_t, sim::kMostNodes> near; ///< Bit a lane: its curve may meet the box.
     std::uint32_t anyNear;
 };
 
 /// Finds the segments before the eye whose boxes, with room for their curves, meet the question's. The same bytes on
 /// any machine.
 void findNear(const Lens& lens, const BlockQuestion& question, BlockAnswer& answer);
-/// As findNear(), and finds which of those segments touch the brush.
-void findTouches(const Lens& lens, const BlockQuestion& question, const PictureBrush& brush, BlockAnswer& answer);
 
 /// A box for each span of the block's strands, without room for curves, and the least depth in it. Nodes behind the eye
 /// do not count; no node, an empty box.

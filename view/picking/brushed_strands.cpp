@@ -2,13 +2,13 @@
 #include "view/picking/brushed_strands.h"
 
 #include "sim/base/parallel.h"
+#include "view/picking/brush_front.h"
 #include "view/picking/curve_batch.h"
-#include "view/picking/touched_blocks.h"
+#include "view/picking/touch_kernel.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
-#include <compare>
 #include <span>
 
 namespace hairpaint::view {
@@ -17,60 +17,49 @@ using model::SeenStrand;
 
 namespace {
 
-SeenStrand strandAt(const PictureHair& picture, const Touch& touch, const Touch& first, const PictureBrush& brush)
-{
-    const sim::Groom& groom = *picture.hair->groom;
-    const std::size_t strand = groom.frameStrand(touch.slot);
-    const glm::vec3 from = groom.blocks().node(picture.hair->positions, strand, touch.node - 1);
-    const glm::vec3 to = groom.blocks().node(picture.hair->positions, strand, touch.node);
-    const auto fractionOf = [&groom](const Touch& one) {
-        return (static_cast<float>(one.node - 1) + one.fraction) / static_cast<float>(groom.nodes - 1);
-    };
-    const float fraction = fractionOf(touch);
-    const float lengthM = groom.style(touch.slot).lengthM;
-    return {.root = picture.rootOf(touch.slot),
-            .positionHd = picture.inHead(from + (to - from) * touch.fraction),
-            .alongM = lengthM * fraction,
-            .lengthM = lengthM,
-            .fraction = fraction,
-            .firstFraction = fractionOf(first),
-            .apart = std::min(touch.apartPx / std::max(brush.radiusPx, 1e-3F), 1.0F),
-            .slot = touch.slot};
-}
-
-/// The touches of one strand that other hair does not hide.
+/// A strand whose skeleton comes near the brush where it is seen.
 struct TouchedStrand
 {
-    const Touch* nearest;
-    const Touch* first;
+    std::uint32_t slot;
+    std::uint32_t node; ///< The node at the end of the segment that is nearest to the brush's middle.
+    float fraction;     ///< Fraction of that segment.
+    float first;        ///< Segments and their fraction from the root to where the brush meets it first.
+    float apartPx;
     std::uint32_t lastNode; ///< Beyond it the strand is nowhere near the brush.
     bool isMet;             ///< The brush surely meets it; if false its drawn curve must be tested.
 };
 
-/// `touches`: of one block, strand by strand.
-void addCandidates(const PictureHair& picture, const TouchedBlocks& touched, std::span<const Touch> touches,
-                   const PictureBrush& brush, std::vector<TouchedStrand>& candidates)
+SeenStrand strandAt(const PictureHair& picture, const TouchedStrand& touched, const PictureBrush& brush)
 {
-    for (std::size_t i = 0; i < touches.size();) {
-        const Touch* best = nullptr;
-        const Touch* first = nullptr;
-        std::uint32_t last = 0;
-        const std::uint32_t slot = touches[i].slot;
-        for (; i < touches.size() && touches[i].slot == slot; ++i) {
-            const Touch& touch = touches[i];
-            last = touch.node;
-            // Only the first touch, and those nearer than the best so far, need the test whether they are hidden.
-            if ((first != nullptr && touch.apartPx >= best->apartPx) || touched.hides(touch) ||
-                picture.skin.hides(touch.seen))
-                continue;
-            first = first != nullptr ? first : &touch;
-            best = &touch;
-        }
-        if (best != nullptr)
-            candidates.push_back({.nearest = best,
-                                  .first = first,
-                                  .lastNode = last,
-                                  .isMet = best->apartPx + best->strayPx <= brush.radiusPx});
+    const sim::Groom& groom = *picture.hair->groom;
+    const std::size_t strand = groom.frameStrand(touched.slot);
+    const glm::vec3 from = groom.blocks().node(picture.hair->positions, strand, touched.node - 1);
+    const glm::vec3 to = groom.blocks().node(picture.hair->positions, strand, touched.node);
+    const auto segments = static_cast<float>(groom.nodes - 1);
+    const float fraction = (static_cast<float>(touched.node - 1) + touched.fraction) / segments;
+    const float lengthM = groom.style(touched.slot).lengthM;
+    return {.root = picture.rootOf(touched.slot),
+            .positionHd = picture.inHead(from + (to - from) * touched.fraction),
+            .alongM = lengthM * fraction,
+            .lengthM = lengthM,
+            .fraction = fraction,
+            .firstFraction = touched.first / segments,
+            .apart = std::min(touched.apartPx / std::max(brush.radiusPx, 1e-3F), 1.0F),
+            .slot = touched.slot};
+}
+
+void addTouched(std::uint32_t firstSlot, const BlockTouches& touches, const PictureBrush& brush,
+                std::vector<TouchedStrand>& touched)
+{
+    for (std::uint32_t lanes = touches.strands; lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+        touched.push_back({.slot = firstSlot + static_cast<std::uint32_t>(lane),
+                           .node = static_cast<std::uint32_t>(touches.node[lane]),
+                           .fraction = touches.fraction[lane],
+                           .first = touches.firstNode[lane] - 1.0F + touches.firstFraction[lane],
+                           .apartPx = touches.apartPx[lane],
+                           .lastNode = static_cast<std::uint32_t>(touches.lastNode[lane]),
+                           .isMet = touches.apartPx[lane] + touches.strayPx[lane] <= brush.radiusPx});
     }
 }
 
@@ -90,10 +79,9 @@ std::uint32_t lanesMet(CurveBatch& batch, std::uint32_t lanes, const PictureBrus
     return met;
 }
 
-/// Tests the drawn curves of candidates for which isMet is not known yet, as many at once as there are lanes.
-void meetCurves(const PictureHair& picture, const PictureBrush& brush, std::vector<TouchedStrand>& candidates)
+/// Tests the drawn curves of those for which isMet is not known yet, as many at once as there are lanes.
+void meetCurves(const PictureBrush& brush, std::vector<TouchedStrand>& touched, CurveBatch& batch)
 {
-    CurveBatch batch(picture);
     std::array<TouchedStrand*, kPickLanes> asked{};
     std::array<std::uint32_t, kPickLanes> slots{};
     std::size_t count = 0;
@@ -107,11 +95,11 @@ void meetCurves(const PictureHair& picture, const PictureBrush& brush, std::vect
             asked[lane]->isMet = (met >> lane & 1U) != 0;
         count = 0;
     };
-    for (TouchedStrand& one : candidates) {
+    for (TouchedStrand& one : touched) {
         if (one.isMet)
             continue;
         asked[count] = &one;
-        slots[count++] = one.nearest->slot;
+        slots[count++] = one.slot;
         if (count == kPickLanes)
             ask();
     }
@@ -123,20 +111,29 @@ void meetCurves(const PictureHair& picture, const PictureBrush& brush, std::vect
 
 std::vector<SeenStrand> brushedStrands(const PictureHair& picture, const PictureBrush& brush)
 {
-    constexpr std::size_t kBlocksAtATime = 32;
-    const TouchedBlocks touched(picture, brush);
-    const std::vector<std::span<const Touch>> blocks = touched.blocks();
-    std::vector<std::vector<SeenStrand>> met((blocks.size() + kBlocksAtATime - 1) / kBlocksAtATime);
+    constexpr std::size_t kBlocksATask = 64;
+    const BrushFront front(picture, brush);
+    const BrushCover cover{.front = front.hair(), .skin = picture.skin, .deepestM = front.deepestM()};
+    const std::vector<NearBlock>& blocks = front.blocks();
+    std::vector<std::vector<SeenStrand>> met((blocks.size() + kBlocksATask - 1) / kBlocksATask);
     sim::parallelFor(met.size(), 1, [&](std::size_t begin, std::size_t end) {
-        std::vector<TouchedStrand> candidates;
+        std::vector<TouchedStrand> touched;
+        CurveBatch batch(picture);
+        BlockTouches touches;
         for (std::size_t task = begin; task < end; ++task) {
-            candidates.clear();
-            for (std::size_t i = task * kBlocksAtATime; i < std::min(blocks.size(), (task + 1) * kBlocksAtATime); ++i)
-                addCandidates(picture, touched, blocks[i], brush, candidates);
-            meetCurves(picture, brush, candidates);
-            for (const TouchedStrand& one : candidates)
+            touched.clear();
+            for (std::size_t i = task * kBlocksATask; i < std::min(blocks.size(), (task + 1) * kBlocksATask); ++i) {
+                const BlockQuestion question = front.questionOf(blocks[i]);
+                if (question.spans == 0)
+                    continue;
+                findTouches(picture.lens, question, brush, cover, touches);
+                addTouched(picture.boxes.blocks[blocks[i].index].firstSlot, touches, brush, touched);
+            }
+            meetCurves(brush, touched, batch);
+            met[task].reserve(touched.size());
+            for (const TouchedStrand& one : touched)
                 if (one.isMet)
-                    met[task].push_back(strandAt(picture, *one.nearest, *one.first, brush));
+                    met[task].push_back(strandAt(picture, one, brush));
         }
     });
     return joined(met);

@@ -3,7 +3,11 @@
 
 #include "view/picking/hair_boxes.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace hairpaint::view {
@@ -50,6 +54,20 @@ public:
         return cell != kNoCell && seen.z > m_cells[cell].back() + kSeenM;
     }
 
+    /// Whether it lies before all that a box holds, from that depth on.
+    [[nodiscard]] bool hidesAll(const PictureBox& box, float nearestM) const
+    {
+        const auto index = [this](float px) { return static_cast<std::size_t>(std::max(px, 0.0F) * m_perPx); };
+        const std::size_t left = index(box.left - m_box.left);
+        const std::size_t right = index(std::min(box.right, m_box.right) - m_box.left);
+        const std::size_t bottom = index(std::min(box.bottom, m_box.bottom) - m_box.top);
+        for (std::size_t row = index(box.top - m_box.top); row <= bottom; ++row)
+            for (std::size_t cell = row * m_across + left; cell <= row * m_across + right; ++cell)
+                if (nearestM <= m_cells[cell].back() + kSeenM)
+                    return false;
+        return true;
+    }
+
     /// The depth from which on all is hidden wherever a cell's middle is as asked; infinite where one is open.
     template<class Wanted>
     [[nodiscard]] float hidesFrom(const Wanted& wanted) const
@@ -62,6 +80,23 @@ public:
                 deepest = std::max(deepest, m_cells[i].back());
         }
         return deepest + kSeenM;
+    }
+
+    /// For kernels that ask hides() of several points at once.
+    struct Depths
+    {
+        PictureBox box;
+        float perPx, seenM;
+        std::int32_t across;
+        const float* cells; ///< [cells][2] The second of each hides.
+    };
+    [[nodiscard]] Depths depths() const
+    {
+        return {.box = m_box,
+                .perPx = m_perPx,
+                .seenM = kSeenM,
+                .across = static_cast<std::int32_t>(m_across),
+                .cells = m_cells.front().data()};
     }
 
 private:

@@ -22,6 +22,18 @@ public:
     /// seen.
     [[nodiscard]] bool hides(glm::vec3 seen) const;
 
+    /// For kernels that ask hides() of several points at once.
+    struct Samples
+    {
+        const float* depths; ///< [height][width] 1/m; 0 where there is no skin.
+        int width, height;
+        float scale; ///< Samples a px.
+    };
+    [[nodiscard]] Samples samples() const
+    {
+        return {.depths = m_depths.data(), .width = m_width, .height = m_height, .scale = m_scale};
+    }
+
 private:
     [[nodiscard]] float& at(int x, int y)
     {

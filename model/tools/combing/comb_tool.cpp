@@ -81,7 +81,10 @@ constexpr ToolOption kHoldGel{.key = "hold_gel",
 constexpr std::array kCombOptions{&kCombKind,     &kSizeOption, &kHardnessOption, &kOpacityOption,
                                   &kCombFlatness, &kLift,       &kHoldGel,        &kTouchOption};
 
-constexpr float kJumpM = 0.03F;             ///< Points further apart than this, and than the dabs, are no motion.
+constexpr float kJumpM = 0.03F; ///< Points further apart than this, and than the dabs, are no motion.
+/// Hair that is combed further than so many times its standing length from its root turns the less there: the rest
+/// hangs, and a root that is turned to the side would send all of it to the other side of the head.
+constexpr float kTurnsOfStanding = 2.0F;
 const glm::vec3 kAcross(-1.0F, 1.0F, 1.0F); ///< Reflects Hd.
 
 constexpr ToolTraits kComb{
@@ -326,7 +329,16 @@ void CombTool::combHair(const ToolEvent& event, const ToolContext& context)
     }
     const RootDabs::Shape shape{.sizeM = settings.brushSizeM, .hardness = settings.hardness, .twinRoots = true};
     const glm::vec3 strokeHd = m_stroke.heading.orNone();
-    for (const RootDab& one : m_stroke.roots->moveTo(*event.hair, context, shape, settings.comb != CombKind::Lay)) {
+    const HairGroup* group = context.document.project().group(context.target.group);
+    const float turnsM = group != nullptr ? kTurnsOfStanding * group->settings.physics.stiffnessM : kJumpM;
+    for (RootDab& one : m_stroke.roots->moveTo(*event.hair, context, shape, settings.comb != CombKind::Lay)) {
+        if (settings.comb == CombKind::Lay) {
+            const float turned =
+                std::min(turnsM / std::max(glm::distance(one.seenHd, one.root.positionHd), 1e-6F), 1.0F);
+            one.dab.strength *= turned * turned;
+            if (one.twin)
+                one.twin->strength = one.dab.strength;
+        }
         setReach(dabAt(SkinMetric::at(one.root), one.root.uv, 0.5F * settings.brushSizeM, m_edit.size()));
         lay(one.dab, strokeHd, sim::SkinFrame::at(one.root), settings, event.pressure);
         if (one.twin && one.twinRoot)

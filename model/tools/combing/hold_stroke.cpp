@@ -27,13 +27,15 @@ bool HoldStroke::begin(const ToolContext& context, const QString& step)
     });
     if (group == context.hair->groups.end() || group->groom->roots->skin != head->skin)
         return false;
-    const std::vector<LyingHair> hairs = lyingHairs(*group, context.hair->pose);
+    const std::vector<LyingHair> hairs = lyingHairs(*group, context.hair->pose, context.hair->asleep);
     std::shared_ptr<const sim::TiledRaster> shownGel = context.document.resolvedNow(context.target.group, MapKind::Gel);
     if (hairs.empty() || !m_edit.begin(context, {}))
         return false;
     m_edit.setText(step);
     m_gel = m_edit.also(context, context.layer(MapKind::Gel));
-    m_field.emplace(hairs, hairsFurtherOn(*group, context.hair->pose, head->distances.get(), kFurtherHairs));
+    m_field.emplace(hairs, context.hair->asleep
+                               ? std::vector<LyingHair>()
+                               : hairsFurtherOn(*group, context.hair->pose, head->distances.get(), kFurtherHairs));
     m_shownGel = std::move(shownGel);
     m_masks.emplace(m_edit.size());
     if (m_gel)

@@ -268,10 +268,11 @@ void CutLengths::correct(bool spares)
     for (const std::uint32_t root : m_cutRoots)
         reads.push_back(readAt(root));
     bringToWanted(reads, perM);
-    if (spares || !releaseTooLong(reads, perM))
-        return;
-    std::vector<LengthRead> beside = readsBeside();
-    shortenTooLong(reads, beside, perM);
+    constexpr int kRounds = 3; // Each may let more texels change.
+    for (int round = 0; round < kRounds && !spares && releaseTooLong(reads, perM); ++round) {
+        std::vector<LengthRead> beside = readsBeside();
+        shortenTooLong(reads, beside, perM);
+    }
 }
 
 /// The reads of roots that are not cut, at texels which cuts may change.

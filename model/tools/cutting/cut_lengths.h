@@ -21,9 +21,9 @@ struct StrandCut
 
 /// Each texel belongs to the nearest root of a positioned hair. The texels of cut roots are shortened, except those
 /// that an uncut root reads; then they are corrected until the map, interpolated at each cut root, gives the wanted
-/// length. Where there are more roots than texels, not every wanted length can be met: no cut hair stays too long then,
-/// and some hairs become too short, also uncut ones, but only as far as no texel of less weight for them could change.
-/// No texel becomes much less than the hair around it needs. One thread; cut() uses parallelFor.
+/// length. Where there are more roots than texels, not every wanted length can be met: uncut hair keeps its length
+/// within a millimetre, and some cut hairs stay too long. No texel becomes much less than the hair around it needs. One
+/// thread; cut() uses parallelFor.
 class CutLengths
 {
 public:
@@ -31,7 +31,7 @@ public:
     CutLengths(const sim::GroupFrame& hair, sim::MapRaster shown);
 
     /// Replaces the former cuts. Of several cuts of one slot, the one that keeps least counts. `spares`: uncut hairs
-    /// never change, and some cut hairs stay too long instead.
+    /// change by nothing at all, and more cut hairs stay too long.
     void cut(std::span<const StrandCut> cuts, bool spares);
     /// The tiles that the cuts change, in ascending order.
     [[nodiscard]] const std::vector<int>& tiles() const { return m_tiles; }

@@ -24,11 +24,10 @@ struct LengthRead
 /// S. Kaczmarz, Angenaeherte Aufloesung von Systemen linearer Gleichungen, 1937: each root in turn moves the texels
 /// that it is read from by the least that gives what it should read. `perM`: a texel's value per metre of length.
 void bringToWanted(std::span<LengthRead> reads, float perM);
-/// Shortens what is longer than wanted once, and tells whether there is such; all texels of what is longer by 5 mm may
-/// change from here on.
+/// Tells whether something is longer than wanted; all texels of what is longer by 5 mm may change from here on.
 [[nodiscard]] bool releaseTooLong(std::span<LengthRead> reads, float perM);
-/// Shortens what is longer than wanted. `beside`: reads that should stay as they are; they change only as far as
-/// nothing else helps.
+/// Shortens what is longer than wanted, as far as `beside`, reads that should stay as they are, change by no more than
+/// a millimetre.
 void shortenTooLong(std::span<LengthRead> reads, std::span<LengthRead> beside, float perM);
 
 } // namespace hairpaint::model

@@ -50,7 +50,7 @@ void CombField::add(const Dab& dab, const Direction& direction)
                 texel = {direction, length};
                 continue;
             }
-            const float part = kYield * (1.0F - q);
+            const float part = kYield * (1.0F - q) * dab.strength;
             const glm::vec2 mixed = glm::vec2(texel) + (direction - glm::vec2(texel)) * part;
             const float mixedLength = glm::length(mixed);
             texel = {mixedLength > 1e-3F ? mixed / mixedLength : direction, texel.z + (length - texel.z) * part};

@@ -11,8 +11,9 @@
 
 namespace hairpaint::model {
 
-/// For each texel that a dab reached, the direction in which the stroke laid its hair: later dabs and those nearer to
-/// it count for more, so that neither a bend nor a turning back leaves an edge. The masks are a StrokeBuffer's.
+/// For each texel that a dab reached, the direction in which the stroke laid its hair: later dabs, stronger ones and
+/// those nearer to it count for more, so that neither a bend nor a turning back leaves an edge. The masks are a
+/// StrokeBuffer's.
 class CombField
 {
 public:

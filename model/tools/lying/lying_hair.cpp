@@ -18,11 +18,37 @@ constexpr std::size_t kFurtherGrain = 64;
 constexpr float kOverSkinM = 0.015F; ///< So far over the skin hair is laid.
 constexpr float kEnoughHairs = 6.0F; ///< A cell with so many needs no coarser one.
 constexpr int kCoarsestCells = 16;
+constexpr float kAsGrownM = 0.003F; ///< A hair whose nodes are no further from its rest shape lies as it grows.
+constexpr float kFew = 0.2F;        ///< Fraction of the hair in a cell that is left out of account.
 
 bool isFar(const sim::DistanceGrid& distances, const glm::vec3& positionHd)
 {
     const std::optional<sim::DistanceGrid::Sample> sample = distances.at(positionHd);
     return sample && sample->distanceM > kOverSkinM + 0.5F * distances.layout().cellM;
+}
+
+/// For each solved hair of a group that is at rest, what holds it.
+std::vector<HeldBy> heldAtRest(const sim::GroupFrame& group, const sim::HeadPose& pose)
+{
+    const sim::Groom& groom = *group.groom;
+    const sim::StrandBlocks blocks = groom.blocks();
+    const glm::quat toHead = glm::conjugate(pose.rotation);
+    const std::vector<std::uint32_t>& slots = groom.roots->basisSlot;
+    std::vector<HeldBy> held(slots.size(), HeldBy::Weight);
+    std::vector<glm::vec3> nodes(static_cast<std::size_t>(groom.nodes));
+    std::vector<glm::vec3> rest(nodes.size());
+    for (std::size_t basis = 0; basis < slots.size(); ++basis) {
+        if (!group.isPositioned(slots[basis]))
+            continue;
+        blocks.read(group.positions, groom.frameStrand(slots[basis]), nodes);
+        blocks.read(groom.basis->restPositions, basis, rest);
+        float furthestM = 0.0F;
+        for (std::size_t node = 1; node < nodes.size(); ++node)
+            furthestM = std::max(furthestM, glm::distance(toHead * (nodes[node] - pose.positionWo), rest[node]));
+        if (furthestM <= kAsGrownM)
+            held[basis] = HeldBy::Gel;
+    }
+    return held;
 }
 
 /// Sums of hairs in a square of cells.
@@ -88,24 +114,40 @@ void fillUp(Sums& fine, const Sums& coarse)
         }
 }
 
-std::vector<float> nearCells(const Sums& sums)
+/// How much hair there is in a square of cells, all of it and what counts against it.
+struct Amounts
 {
-    std::vector<float> near(sums.cells.size());
-    for (int y = 0; y < sums.side; ++y)
-        for (int x = 0; x < sums.side; ++x)
-            for (int k = 0; k < 9; ++k) {
-                const int besideX = std::clamp(x + k % 3 - 1, 0, sums.side - 1);
-                const int besideY = std::clamp(y + k / 3 - 1, 0, sums.side - 1);
-                if (sums.cell(besideX, besideY).w > 0.0F)
-                    near[static_cast<std::size_t>(y) * static_cast<std::size_t>(sums.side) +
-                         static_cast<std::size_t>(x)] = 1.0F;
+    std::vector<glm::vec2> cells = std::vector<glm::vec2>(std::size_t{LyingField::kNearCells} * LyingField::kNearCells);
+
+    void add(glm::vec2 uv, glm::vec2 amount)
+    {
+        const glm::ivec2 at = glm::clamp(glm::ivec2(uv * static_cast<float>(LyingField::kNearCells)), glm::ivec2(0),
+                                         glm::ivec2(LyingField::kNearCells - 1));
+        cells[index(at.x, at.y)] += amount;
+    }
+    /// 1 where hair is in the cell or in one beside it, and little of that counts against it.
+    [[nodiscard]] std::vector<float> near() const
+    {
+        std::vector<float> near(cells.size());
+        for (int y = 0; y < LyingField::kNearCells; ++y)
+            for (int x = 0; x < LyingField::kNearCells; ++x) {
+                glm::vec2 sum(0.0F);
+                for (int k = 0; k < 9; ++k)
+                    sum += cells[index(std::clamp(x + k % 3 - 1, 0, LyingField::kNearCells - 1),
+                                       std::clamp(y + k / 3 - 1, 0, LyingField::kNearCells - 1))];
+                near[index(x, y)] = sum.x > 0.0F && sum.y <= kFew * sum.x ? 1.0F : 0.0F;
             }
-    return near;
-}
+        return near;
+    }
+    [[nodiscard]] static std::size_t index(int x, int y)
+    {
+        return static_cast<std::size_t>(y) * LyingField::kNearCells + static_cast<std::size_t>(x);
+    }
+};
 
 } // namespace
 
-std::vector<LyingHair> lyingHairs(const sim::GroupFrame& group, const sim::HeadPose& pose)
+std::vector<LyingHair> lyingHairs(const sim::GroupFrame& group, const sim::HeadPose& pose, bool atRest)
 {
     std::vector<LyingHair> hairs;
     if (group.groom == nullptr || group.positions.empty())
@@ -115,6 +157,7 @@ std::vector<LyingHair> lyingHairs(const sim::GroupFrame& group, const sim::HeadP
     const sim::StrandBlocks blocks = groom.blocks();
     const glm::quat toHead = glm::conjugate(pose.rotation);
     hairs.reserve(groom.drawnCount);
+    const std::vector<HeldBy> held = atRest ? heldAtRest(group, pose) : std::vector<HeldBy>();
     std::vector<glm::vec3> nodes(static_cast<std::size_t>(groom.nodes));
     for (std::size_t slot = 0; slot < roots.count(); ++slot) {
         if (!group.isPositioned(slot))
@@ -126,7 +169,9 @@ std::vector<LyingHair> lyingHairs(const sim::GroupFrame& group, const sim::HeadP
         if (!(length > 1e-6F))
             continue;
         const auto root = static_cast<std::uint32_t>(slot);
-        hairs.push_back({.uv = roots.uv[slot], .direction = roots.frame(root).fromHd(directionHd / length)});
+        hairs.push_back({.uv = roots.uv[slot],
+                         .direction = roots.frame(root).fromHd(directionHd / length),
+                         .heldBy = atRest ? held[roots.neighbours[slot].front()] : HeldBy::Direction});
     }
     return hairs;
 }
@@ -175,21 +220,22 @@ std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::H
 LyingField::LyingField(std::span<const LyingHair> hairs, std::span<const LyingHair> further)
 {
     std::vector<Sums> levels{Sums(kCells)};
-    Sums roots(kNearCells);
+    Amounts all;
+    Amounts roots;
     for (const std::span<const LyingHair> some : {hairs, further})
-        for (const LyingHair& hair : some)
+        for (const LyingHair& hair : some) {
             Sums::around(kCells, hair.uv, [&](glm::ivec2 at, float weight) {
                 levels.front().cell(at.x, at.y) +=
                     glm::vec4(hair.direction, glm::length(hair.direction), 1.0F) * weight;
-                if (some.data() == hairs.data())
-                    roots.cell(at.x * kNearCells / kCells, at.y * kNearCells / kCells).w += weight;
             });
-    m_nearRoots = nearCells(roots);
-    while (levels.back().side > kCoarsestCells) {
-        if (levels.back().side == kNearCells)
-            m_near = nearCells(levels.back());
+            all.add(hair.uv, {1.0F, hair.heldBy != HeldBy::Direction ? 1.0F : 0.0F});
+            if (some.data() == hairs.data())
+                roots.add(hair.uv, {1.0F, hair.heldBy == HeldBy::Weight ? 1.0F : 0.0F});
+        }
+    m_near = all.near();
+    m_nearRoots = roots.near();
+    while (levels.back().side > kCoarsestCells)
         levels.push_back(coarser(levels.back()));
-    }
     for (std::size_t i = levels.size() - 1; i-- > 0;)
         fillUp(levels[i], levels[i + 1]);
     const Sums& sums = levels.front();
