@@ -31,6 +31,7 @@ AreaMenu::AreaMenu(const ActionSet& actions, QWidget* parent) : QMenu(parent)
         if (spec->tie == sim::TieForm::Tail)
             worn->addAction(actions.find(QLatin1StringView("hair.addTwinTails")));
     }
+    addAction(actions.find(QLatin1StringView("hair.mirrorWorn")));
     addAction(actions.find(QLatin1StringView("hair.removeWorn")));
 }
 
