@@ -1472,6 +1472,14 @@
         <source>not read, so hair that is in there is missing: %1; save it as USD text in the same folder</source>
         <translation>no se leyó, así que falta el pelo que haya ahí: %1; guárdalo como texto USD en la misma carpeta</translation>
     </message>
+    <message>
+        <source>its mesh has %1 triangles, and what is worn has at most %2; reduce it in a 3D program</source>
+        <translation>su malla tiene %1 triángulos, y lo que se lleva tiene %2 como máximo; redúcela en un programa 3D</translation>
+    </message>
+    <message>
+        <source>The mesh &apos;%1&apos; that is worn is lost; put it on anew.</source>
+        <translation>La malla «%1» que se lleva se ha perdido; vuelve a ponerla.</translation>
+    </message>
 </context>
 <context>
     <name>GroupSchema</name>
@@ -4170,6 +4178,46 @@
         <source>No hair grows on both sides here that two tails could take: paint density on both</source>
         <translation>Aquí no crece pelo a ambos lados para dos coletas: pinte densidad en ambos</translation>
     </message>
+    <message>
+        <source>Own mesh</source>
+        <translation>Malla propia</translation>
+    </message>
+    <message>
+        <source>Own &amp;mesh here…</source>
+        <translation>M&amp;alla propia aquí…</translation>
+    </message>
+    <message>
+        <source>A mesh of another program where the pointer was last on the head: a hat, glasses, a tiara; %1 at most</source>
+        <translation>Una malla de otro programa donde el puntero estuvo por última vez en la cabeza: un sombrero, gafas, una tiara; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Take the own mesh o&amp;ff</source>
+        <translation>Q&amp;uitar la malla propia</translation>
+    </message>
+    <message>
+        <source>Add own mesh</source>
+        <translation>Añadir malla propia</translation>
+    </message>
+    <message>
+        <source>Remove own mesh</source>
+        <translation>Quitar malla propia</translation>
+    </message>
+    <message>
+        <source>Move own mesh</source>
+        <translation>Mover malla propia</translation>
+    </message>
+    <message>
+        <source>Size own mesh</source>
+        <translation>Tamaño de la malla propia</translation>
+    </message>
+    <message>
+        <source>Change look of own mesh</source>
+        <translation>Cambiar el aspecto de la malla propia</translation>
+    </message>
+    <message>
+        <source>This tie takes the hair out of the cornrows under it: select the other hair before you put one on</source>
+        <translation>Este coletero toma el pelo de las trenzas pegadas que tiene debajo: selecciona antes el resto del pelo</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::AreaMenu</name>
@@ -4629,6 +4677,14 @@
     <message>
         <source>Gathers the active group&apos;s hair into two tails, where the pointer was last on the head and on the other side, with a parting between them</source>
         <translation>Recoge el pelo del grupo activo en dos coletas, donde el puntero estuvo por última vez en la cabeza y en el otro lado, con una raya entre ellas</translation>
+    </message>
+    <message>
+        <source>&amp;Copy what is chosen to the other side</source>
+        <translation>Re&amp;flejar lo elegido al otro lado</translation>
+    </message>
+    <message>
+        <source>Puts one like it on the other side of the head; what is painted is painted there</source>
+        <translation>Pone otro igual al otro lado de la cabeza; lo pintado se pinta allí</translation>
     </message>
 </context>
 <context>
@@ -5434,6 +5490,17 @@ Se ha perdido esto:</translation>
     <message>
         <source>Dar&amp;k paper</source>
         <translation>Papel osc&amp;uro</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::WornExchange</name>
+    <message>
+        <source>Put on a mesh</source>
+        <translation>Poner una malla</translation>
+    </message>
+    <message>
+        <source>Meshes (*.glb *.gltf *.vrm *.obj *.fbx *.ply *.dae *.3ds *.x3d)</source>
+        <translation>Mallas (*.glb *.gltf *.vrm *.obj *.fbx *.ply *.dae *.3ds *.x3d)</translation>
     </message>
 </context>
 <context>
@@ -7571,6 +7638,14 @@ Se ha perdido esto:</translation>
     <message>
         <source>How far hair is wound about the tie</source>
         <translation>Hasta dónde se enrolla el pelo alrededor del coletero</translation>
+    </message>
+    <message>
+        <source>Hair goes through it</source>
+        <translation>El pelo lo atraviesa</translation>
+    </message>
+    <message>
+        <source>Else hair keeps out of the ellipsoid in its box</source>
+        <translation>Si no, el pelo no entra en el elipsoide de su caja</translation>
     </message>
 </context>
 </TS>

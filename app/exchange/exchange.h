@@ -6,6 +6,7 @@
 #include "app/exchange/map_exchange.h"
 #include "app/exchange/picture_exchange.h"
 #include "app/exchange/style_files.h"
+#include "app/exchange/worn_exchange.h"
 
 namespace hairpaint::app {
 
@@ -15,7 +16,7 @@ class Exchange
 public:
     Exchange(Session& session, Settings& settings, Jobs& jobs, QWidget& window)
         : m_work(settings, jobs, window), m_hair(session, m_work), m_heads(session, m_work), m_maps(session, m_work),
-          m_pictures(session, m_work, m_hair), m_styles(session, m_work)
+          m_pictures(session, m_work, m_hair), m_styles(session, m_work), m_worn(session, m_work)
     {}
 
     [[nodiscard]] FileWork& work() { return m_work; }
@@ -24,6 +25,7 @@ public:
     [[nodiscard]] MapExchange& maps() { return m_maps; }
     [[nodiscard]] PictureExchange& pictures() { return m_pictures; }
     [[nodiscard]] StyleFiles& styles() { return m_styles; }
+    [[nodiscard]] WornExchange& worn() { return m_worn; }
 
 private:
     FileWork m_work;
@@ -32,6 +34,7 @@ private:
     MapExchange m_maps;
     PictureExchange m_pictures;
     StyleFiles m_styles;
+    WornExchange m_worn;
 };
 
 } // namespace hairpaint::app

@@ -102,7 +102,7 @@ std::optional<wire::Bytes> answerTo(Request request)
         const auto image = importer::readImage(*path, isColour);
         return image ? wire::encodeImage(*image) : wire::encodeRefusal(image.error());
     }
-    const auto mesh = importer::readMesh(*path);
+    const auto mesh = importer::readMesh(*path, request.kind != wire::Kind::ReadBody);
     return mesh ? wire::encodeMesh(*mesh) : wire::encodeRefusal(mesh.error());
 }
 

@@ -35,12 +35,12 @@ tl::expected<ForeignScene, wire::Refusal> readScene(const std::string& path)
 
 } // namespace
 
-tl::expected<model::RiggedMesh, wire::Refusal> readMesh(const std::string& path)
+tl::expected<model::RiggedMesh, wire::Refusal> readMesh(const std::string& path, bool needsUvs)
 {
     const tl::expected<ForeignScene, wire::Refusal> scene = readScene(path);
     if (!scene)
         return tl::unexpected(scene.error());
-    tl::expected<model::RiggedMesh, wire::Refusal> mesh = flattened(*scene);
+    tl::expected<model::RiggedMesh, wire::Refusal> mesh = flattened(*scene, needsUvs);
     if (mesh)
         decodeTextures(*mesh, scene->images);
     return mesh;

@@ -10,6 +10,6 @@
 namespace hairpaint::importer {
 
 /// `path`: UTF-8. The scene as one mesh: see scene_flattener.h.
-[[nodiscard]] tl::expected<model::RiggedMesh, wire::Refusal> readMesh(const std::string& path);
+[[nodiscard]] tl::expected<model::RiggedMesh, wire::Refusal> readMesh(const std::string& path, bool needsUvs = true);
 
 } // namespace hairpaint::importer

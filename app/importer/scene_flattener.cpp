@@ -191,7 +191,7 @@ model::RiggedMesh joined(std::vector<Part> parts)
 
 } // namespace
 
-tl::expected<model::RiggedMesh, wire::Refusal> flattened(const ForeignScene& scene)
+tl::expected<model::RiggedMesh, wire::Refusal> flattened(const ForeignScene& scene, bool needsUvs)
 {
     SceneSkeleton skeleton(scene);
     SceneFlattener flattener(scene, skeleton);
@@ -199,7 +199,7 @@ tl::expected<model::RiggedMesh, wire::Refusal> flattened(const ForeignScene& sce
         return tl::unexpected(wire::Reason::TooLarge);
     if (!flattener.found().triangles)
         return tl::unexpected(wire::Reason::NoTriangles);
-    if (!flattener.found().uvs)
+    if (needsUvs && !flattener.found().uvs)
         return tl::unexpected(wire::Reason::NoUvs);
     model::RiggedMesh mesh = joined(flattener.takeParts());
     if (mesh.triangles.empty())

@@ -10,8 +10,8 @@ namespace hairpaint::importer {
 
 /// All meshes of the scene that have triangles as one, part after part, nodes' transforms applied. uvs are
 /// moved into 0..1 a triangle at a time, and are 0 where a mesh has none; identical vertices of a part are joined. A
-/// part names its texture by the scene's image. Fails where no mesh has uvs. Where meshes are skinned, with the scene's
-/// joints.
-[[nodiscard]] tl::expected<model::RiggedMesh, wire::Refusal> flattened(const ForeignScene& scene);
+/// part names its texture by the scene's image. Where no mesh has uvs it fails if it `needsUvs`. Where meshes are
+/// skinned, with the scene's joints.
+[[nodiscard]] tl::expected<model::RiggedMesh, wire::Refusal> flattened(const ForeignScene& scene, bool needsUvs = true);
 
 } // namespace hairpaint::importer

@@ -89,7 +89,10 @@ public:
     /// With the head; as addHead() has them.
     void addWorn(const WornBody& body, const std::vector<BoneWeights>& bones, int skin)
     {
-        addBody(body.name, body.mesh, material(body.name, body.colour, body.roughness), bones, skin);
+        QJsonObject own = material(body.name, body.colour, body.roughness);
+        if (body.isOpen)
+            own.insert(QStringLiteral("doubleSided"), true);
+        addBody(body.name, body.mesh, own, bones, skin);
     }
 
     /// The chains hang from a joint that is made for them.

@@ -20,15 +20,6 @@ constexpr float kPartingM = 0.0012F; ///< Half the width of a painted parting.
 constexpr int kMostSkipped = 8;      ///< The most texels of a row that are skipped at once.
 constexpr float kSidewaysM = 0.01F;  ///< A click nearer to the middle of the head is on neither side.
 
-std::uint16_t paletteIndexOf(const WornSpec& spec)
-{
-    const std::span<const PaletteEntry> palette = mapSpec(MapKind::Accessory).palette;
-    const auto found = std::ranges::find_if(palette, [&spec](const PaletteEntry& entry) {
-        return QLatin1StringView(entry.id) == QLatin1StringView(spec.id);
-    });
-    return static_cast<std::uint16_t>(found - palette.begin());
-}
-
 const Layer* paintedLayer(const MapStack& stack)
 {
     const auto found = std::ranges::find_if(stack.layers.rbegin(), stack.layers.rend(), [](const Layer& layer) {

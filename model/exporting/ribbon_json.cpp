@@ -67,12 +67,14 @@ void RibbonJson::add(const WornBody& body)
     QJsonArray factor =
         jsonNumbers({linear(qRed(body.colour)), linear(qGreen(body.colour)), linear(qBlue(body.colour))});
     factor.append(1.0);
-    addNode(
-        body.name, attributes, indices,
-        {{QStringLiteral("name"), body.name},
-         {QStringLiteral("pbrMetallicRoughness"), QJsonObject{{QStringLiteral("baseColorFactor"), factor},
-                                                              {QStringLiteral("metallicFactor"), 0.0},
-                                                              {QStringLiteral("roughnessFactor"), body.roughness}}}});
+    QJsonObject material{
+        {QStringLiteral("name"), body.name},
+        {QStringLiteral("pbrMetallicRoughness"), QJsonObject{{QStringLiteral("baseColorFactor"), factor},
+                                                             {QStringLiteral("metallicFactor"), 0.0},
+                                                             {QStringLiteral("roughnessFactor"), body.roughness}}}};
+    if (body.isOpen)
+        material.insert(QStringLiteral("doubleSided"), true);
+    addNode(body.name, attributes, indices, material);
 }
 
 QJsonObject RibbonJson::finish() const

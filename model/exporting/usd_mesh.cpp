@@ -54,11 +54,15 @@ std::string usdMesh(const WornBody& body, const QString& name, const ExportSpace
 {
     const PosedMesh& mesh = body.mesh;
     const std::string path = "/Hair/" + name.toStdString();
-    std::string out = "\n    def Mesh " + usdQuoted(name) +
-                      " (\n        prepend apiSchemas = [\"MaterialBindingAPI\"]\n    )\n    {\n"
-                      "        uniform token subdivisionScheme = \"none\"\n"
-                      "        rel material:binding = <" +
-                      path + "/Material>\n";
+    std::string out = "\n    def Mesh ";
+    out += usdQuoted(name);
+    out += " (\n        prepend apiSchemas = [\"MaterialBindingAPI\"]\n    )\n    {\n"
+           "        uniform token subdivisionScheme = \"none\"\n";
+    if (body.isOpen)
+        out += "        uniform bool doubleSided = true\n";
+    out += "        rel material:binding = <";
+    out += path;
+    out += "/Material>\n";
     appendArray(out, "int[] faceVertexCounts", std::vector<int>(mesh.indices.size() / 3), false,
                 [&out](int /*face*/) { out.push_back('3'); });
     appendArray(out, "int[] faceVertexIndices", mesh.indices, false,

@@ -11,6 +11,7 @@ WornBody wornBody(const Worn& worn, PosedMesh mesh)
     return {.name = QStringLiteral("Worn %1 %2").arg(QLatin1StringView(wornSpec(worn.kind).id)).arg(worn.id),
             .mesh = std::move(mesh),
             .colour = worn.colour,
+            .isOpen = worn.ownMesh.isRead(),
             .roughness = kLeastRoughness + (1.0 - kLeastRoughness) * (1.0 - static_cast<double>(worn.sheen))};
 }
 

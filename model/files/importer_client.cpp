@@ -173,7 +173,12 @@ Result<ForeignImage> ImporterClient::readColours(const QString& path, const Prog
 
 Result<RiggedMesh> ImporterClient::readMesh(const QString& path, const Progress& progress)
 {
-    return withinMemory(path, cannotOpen, [&] { return decodeMesh(path, progress); });
+    return withinMemory(path, cannotOpen, [&] { return decodeMesh(path, true, progress); });
+}
+
+Result<RiggedMesh> ImporterClient::readBody(const QString& path, const Progress& progress)
+{
+    return withinMemory(path, cannotOpen, [&] { return decodeMesh(path, false, progress); });
 }
 
 Result<void> ImporterClient::writeImage(const ForeignImage& image, const QString& path, int bits,
@@ -215,12 +220,12 @@ Result<ForeignImage> ImporterClient::decodeImage(const QString& path, bool areCo
                         .areColours = areColours};
 }
 
-Result<RiggedMesh> ImporterClient::decodeMesh(const QString& path, const Progress& progress)
+Result<RiggedMesh> ImporterClient::decodeMesh(const QString& path, bool needsUvs, const Progress& progress)
 {
     if (Result<void> readable = checkReadable(path, kMostForeignBytes); !readable)
         return tl::unexpected(readable.error());
-    Result<wire::Bytes> body =
-        ask(*m_helper, readRequest(wire::Kind::ReadMesh, path), wire::Kind::Mesh, path, progress, cannotOpen);
+    Result<wire::Bytes> body = ask(*m_helper, readRequest(needsUvs ? wire::Kind::ReadMesh : wire::Kind::ReadBody, path),
+                                   wire::Kind::Mesh, path, progress, cannotOpen);
     if (!body)
         return tl::unexpected(body.error());
     std::optional<RiggedMesh> mesh = wire::decodeMesh(*body);

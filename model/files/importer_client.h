@@ -51,12 +51,14 @@ public:
     [[nodiscard]] Result<void> writeImage(const ForeignImage& image, const QString& path, int bits = 16,
                                           const Progress& progress = {});
     [[nodiscard]] Result<RiggedMesh> readMesh(const QString& path, const Progress& progress = {});
+    /// The same of a mesh that nobody paints on, with or without uvs.
+    [[nodiscard]] Result<RiggedMesh> readBody(const QString& path, const Progress& progress = {});
     /// The sandbox as the helper sets it up on this machine; none where the helper gives no answer.
     [[nodiscard]] std::optional<HelperSandbox> sandbox();
 
 private:
     [[nodiscard]] Result<ForeignImage> decodeImage(const QString& path, bool areColours, const Progress& progress);
-    [[nodiscard]] Result<RiggedMesh> decodeMesh(const QString& path, const Progress& progress);
+    [[nodiscard]] Result<RiggedMesh> decodeMesh(const QString& path, bool needsUvs, const Progress& progress);
     [[nodiscard]] Result<void> encodeImageFile(const ForeignImage& image, const QString& path, int bits,
                                                const Progress& progress);
 

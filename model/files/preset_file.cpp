@@ -4,6 +4,7 @@
 #include "model/files/group_json.h"
 #include "model/files/head_entry.h"
 #include "model/files/layer_files.h"
+#include "model/files/own_mesh_file.h"
 #include "model/files/project_json.h"
 
 #include <QDir>
@@ -58,6 +59,8 @@ Result<Preset> read(const QString& path)
     if (!head)
         return cannotOpen(path, head.error());
     opened->preset.head = std::move(*head);
+    if (Checked<void> meshes = readOwnMeshes(opened->preset.worn, opened->archive); !meshes)
+        return cannotOpen(path, meshes.error());
     EncodedLayers cache;
     const Checked<bool> layers = readLayers(opened->archive, opened->preset.groups, cache, {});
     if (!layers)
@@ -74,6 +77,7 @@ Result<void> write(const Preset& preset, const QString& path, const Progress& pr
     addMimetype(archive, kPresetMimetype);
     archive.add("project.json", *json, ArchiveWriter::Method::Deflated);
     addHead(archive, preset.head);
+    addOwnMeshes(archive, preset.worn);
     EncodedLayers cache;
     if (Checked<bool> added = addLayers(archive, preset.groups, cache, {}); !added)
         return cannotWrite(path, added.error());

@@ -5,6 +5,7 @@
 #include "model/files/head_entry.h"
 #include "model/files/head_file.h"
 #include "model/files/layer_files.h"
+#include "model/files/own_mesh_file.h"
 #include "model/files/project_json.h"
 
 #include <QCoreApplication>
@@ -40,6 +41,8 @@ Result<Project> read(const QString& path, EncodedLayers& cache, const Progress& 
     if (*head == nullptr)
         return cancelled(path);
     manifest->project.head = std::move(*head);
+    if (Checked<void> meshes = readOwnMeshes(manifest->project.worn, opened->archive); !meshes)
+        return cannotOpen(path, meshes.error());
     if (!paintFormerCombing(manifest->project, manifest->formerCombing, [&] { return !progress || progress(done); }))
         return cancelled(path);
     return std::move(manifest->project);
@@ -55,6 +58,7 @@ Result<void> write(const Project& project, const QString& path, const QImage& th
     addMimetype(archive, kProjectMimetype);
     archive.add("project.json", *json, ArchiveWriter::Method::Deflated);
     addHead(archive, project.head);
+    addOwnMeshes(archive, project.worn);
     double done = 0.0;
     const Checked<bool> added = addLayers(archive, project.groups, cache, [&](double fraction) {
         done = fraction;

@@ -88,6 +88,7 @@ std::uint64_t mostBodyBytes(Kind kind)
     switch (kind) {
     case Kind::ReadImage:
     case Kind::ReadMesh:
+    case Kind::ReadBody:
     case Kind::TellSandbox:
     case Kind::ReadColours:
         return kLongestPath;

@@ -26,6 +26,7 @@ enum class Kind : std::uint32_t
     TellSandbox = 4,
     ReadColours = 20,   ///< As ReadImage, in sRGB.
     EncodeColours = 21, ///< As EncodeImage, of sRGB.
+    ReadBody = 22,      ///< As ReadMesh, of what nobody paints on: uvs are not asked for.
     Image = 101,
     Mesh = 102,
     Encoded = 103,

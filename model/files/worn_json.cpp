@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <memory>
 #include <set>
+#include <utility>
 
 namespace hairpaint::model {
 
@@ -22,6 +25,8 @@ constexpr const char* kMakeKey = "make";
 constexpr const char* kTightnessKey = "tightness";
 constexpr const char* kCoilKey = "coil_radius_m";
 constexpr const char* kPatchKey = "patch";
+constexpr const char* kMeshKey = "mesh";
+constexpr const char* kMeshNameKey = "mesh_name";
 constexpr int kGreatestPatch = 65535;
 
 template<typename Fields>
@@ -73,10 +78,21 @@ void visitMaking(Fields& fields, Worn& worn)
         fields.number(kCoilKey, worn.coilRadiusM, 0.005F, 0.2F);
 }
 
+/// What goes with an own mesh, but for its number.
+template<typename Fields>
+void visitOwn(Fields& fields, Worn& worn)
+{
+    if (!wornSpec(worn.kind).ownMesh)
+        return;
+    fields.boolean("mirrored", worn.mirrored);
+    fields.boolean("passable", worn.passable);
+}
+
 /// Keys that a writer leaves out where they say nothing.
 void visitOthers(FieldReader& fields, Worn& worn)
 {
     visitMaking(fields, worn);
+    visitOwn(fields, worn);
     if (fields.contains(kPatchKey))
         fields.object(kPatchKey, [&worn](FieldReader& inner) { visitPatch(inner, worn.patch.emplace()); });
     fields.number(kSheenKey, worn.sheen, 0.0F, 1.0F);
@@ -87,6 +103,7 @@ void visitOthers(FieldReader& fields, Worn& worn)
 void visitOthers(FieldWriter& fields, Worn& worn)
 {
     visitMaking(fields, worn);
+    visitOwn(fields, worn);
     if (worn.patch)
         fields.object(kPatchKey, [&worn](FieldWriter& inner) { visitPatch(inner, *worn.patch); });
     if (worn.sheen != wornSpec(worn.kind).sheen)
@@ -169,6 +186,8 @@ private:
                   .coilRadiusM = spec.coilRadiusM};
         FieldReader fields(object, problem);
         visitWorn(fields, worn);
+        if (spec.ownMesh && fields.contains(kMeshKey))
+            worn.ownMesh = meshOf(fields);
         const glm::quat& q = worn.shape.rotation;
         const bool hasId = fields.contains(kIdKey);
         if (glm::dot(q, q) < 1e-6F || (hasId && (worn.id < 1 || worn.id >= m_nextId || !m_ids.insert(worn.id).second)))
@@ -181,7 +200,21 @@ private:
         return true;
     }
 
+    /// Named, to be read later; one object a number.
+    [[nodiscard]] SharedOwnMesh meshOf(FieldReader& fields)
+    {
+        OwnMesh named;
+        fields.integer(kMeshKey, named.entry, 1, kMostOwnMeshes);
+        fields.text(kMeshNameKey, named.name);
+        named.name.truncate(kLongestName);
+        std::shared_ptr<const OwnMesh>& known = m_meshes[named.entry];
+        if (known == nullptr)
+            known = std::make_shared<const OwnMesh>(std::move(named));
+        return {.own = known};
+    }
+
     Id m_nextId;
+    std::map<int, std::shared_ptr<const OwnMesh>> m_meshes;
     std::set<std::uint16_t> m_patches;
     std::set<Id> m_ids, m_groups; // A QSet ends the program where memory runs out.
     std::vector<Worn> m_all;
@@ -200,7 +233,33 @@ QJsonObject written(Worn worn, const char* kind)
     return fields.take();
 }
 
+/// From 1 on; 0 where it is none of them.
+int numberIn(const std::vector<std::shared_ptr<const OwnMesh>>& meshes, const SharedOwnMesh& mesh)
+{
+    const auto at = std::ranges::find_if(
+        meshes, [&mesh](const std::shared_ptr<const OwnMesh>& one) { return mesh == SharedOwnMesh{.own = one}; });
+    return at != meshes.end() ? static_cast<int>(at - meshes.begin()) + 1 : 0;
+}
+
+/// Its number and name.
+void writeMesh(const Worn& worn, const std::vector<std::shared_ptr<const OwnMesh>>& meshes, QJsonObject& object)
+{
+    if (worn.ownMesh.own == nullptr)
+        return;
+    object.insert(QLatin1StringView(kMeshKey), numberIn(meshes, worn.ownMesh));
+    object.insert(QLatin1StringView(kMeshNameKey), worn.ownMesh.own->name);
+}
+
 } // namespace
+
+std::vector<std::shared_ptr<const OwnMesh>> ownMeshesOf(const std::vector<Worn>& all)
+{
+    std::vector<std::shared_ptr<const OwnMesh>> meshes;
+    for (const Worn& one : all)
+        if (one.ownMesh.own != nullptr && numberIn(meshes, one.ownMesh) == 0)
+            meshes.push_back(one.ownMesh.own);
+    return meshes;
+}
 
 void wornToJson(const std::vector<Worn>& all, const std::vector<HairGroup>& groups, QJsonObject& root)
 {
@@ -219,11 +278,15 @@ void wornToJson(const std::vector<Worn>& all, const std::vector<HairGroup>& grou
 void wornToPreset(const std::vector<Worn>& all, const std::vector<HairGroup>& groups, QJsonObject& root)
 {
     QJsonArray others;
+    const std::vector<std::shared_ptr<const OwnMesh>> meshes = ownMeshesOf(all);
     for (Worn one : all) {
         if (std::ranges::find(groups, one.group, &HairGroup::id) == groups.end())
             one.group = 0;
-        if (wornSpec(one.kind).ownArray == nullptr)
-            others.append(written(one, wornSpec(one.kind).id));
+        if (wornSpec(one.kind).ownArray != nullptr)
+            continue;
+        QJsonObject object = written(one, wornSpec(one.kind).id);
+        writeMesh(one, meshes, object);
+        others.append(object);
     }
     if (!others.isEmpty())
         root.insert(QLatin1StringView(kWornKey), others);

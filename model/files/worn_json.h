@@ -6,6 +6,9 @@
 
 #include <QJsonObject>
 
+#include <memory>
+#include <vector>
+
 namespace hairpaint::model {
 
 /// Into the arrays of the root that the table of kinds names; others into `worn`.
@@ -17,8 +20,11 @@ void wornToPreset(const std::vector<Worn>& all, const std::vector<HairGroup>& gr
 /// Whether some of it stands in `worn`, which readers of the first two versions do not know.
 [[nodiscard]] bool needsWornArray(const std::vector<Worn>& all);
 
-/// As insertWorn() keeps them. Ids are checked to be below `nextId` and none of the groups' or layers'; a thing without
-/// one has the id 0, for the caller to set.
+/// The meshes that users brought, each once; a file holds them under their index here and 1.
+[[nodiscard]] std::vector<std::shared_ptr<const OwnMesh>> ownMeshesOf(const std::vector<Worn>& all);
+
+/// As insertWorn() keeps them, own meshes named alone (OwnMesh::entry). Ids are checked to be below `nextId` and none
+/// of the groups' or layers'; a thing without one has the id 0, for the caller to set.
 [[nodiscard]] Checked<std::vector<Worn>> wornFromJson(const QJsonObject& root, const std::vector<HairGroup>& groups,
                                                       Id nextId);
 

@@ -16,7 +16,7 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr int kDeepestPrim = 256;        ///< Limit on the depth of composed prims.
+constexpr int kMostComposedDepth = 256;  ///< Limit on the depth of composed prims.
 constexpr std::size_t kMostNames = 4096; ///< Limit on the number of prims with curves.
 constexpr double kScanned = 0.3;         ///< Fraction of all work that scanning the layers is.
 
@@ -121,7 +121,7 @@ private:
 
     void visitChildren(const UsdPrim& prim, const Inherited& above, int depth)
     {
-        if (depth > kDeepestPrim) {
+        if (depth > kMostComposedDepth) {
             m_isBroken = true;
             return;
         }

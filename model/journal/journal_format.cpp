@@ -3,6 +3,7 @@
 
 #include "model/files/project_json.h"
 
+#include <QCborArray>
 #include <QCborMap>
 #include <QCborValue>
 #include <QJsonDocument>
@@ -44,15 +45,14 @@ QByteArray statePayload(const StateFields& fields)
     QCborMap tables;
     for (const auto& [layer, table] : fields.tables)
         tables.insert(layer, table);
-    const QCborMap map{{QStringLiteral("project"), fields.project},
-                       {QStringLiteral("head"), fields.head},
-                       {QStringLiteral("tables"), tables},
-                       {QStringLiteral("path"), fields.path},
-                       {QStringLiteral("step"), fields.step},
-                       {QStringLiteral("index"), fields.index},
-                       {QStringLiteral("count"), fields.count},
-                       {QStringLiteral("time"), fields.timeMs},
-                       {QStringLiteral("fileBytes"), fields.fileBytes},
+    QCborArray ownMeshes;
+    for (const int number : fields.ownMeshes)
+        ownMeshes.append(number);
+    const QCborMap map{{QStringLiteral("project"), fields.project},    {QStringLiteral("head"), fields.head},
+                       {QStringLiteral("ownMeshes"), ownMeshes},       {QStringLiteral("tables"), tables},
+                       {QStringLiteral("path"), fields.path},          {QStringLiteral("step"), fields.step},
+                       {QStringLiteral("index"), fields.index},        {QStringLiteral("count"), fields.count},
+                       {QStringLiteral("time"), fields.timeMs},        {QStringLiteral("fileBytes"), fields.fileBytes},
                        {QStringLiteral("fileTime"), fields.fileTimeMs}};
     return packedPayload(QCborValue(map).toCbor());
 }
@@ -68,6 +68,9 @@ std::optional<StateFields> stateFields(const QByteArray& payload)
     if (fields.project.isEmpty() || fields.project.size() > kMostJsonBytes)
         return std::nullopt;
     fields.head = static_cast<int>(map.value(QStringLiteral("head")).toInteger(kBuiltInHead));
+    const QCborArray ownMeshes = map.value(QStringLiteral("ownMeshes")).toArray();
+    for (const QCborValueConstRef number : ownMeshes)
+        fields.ownMeshes.push_back(static_cast<int>(number.toInteger(-1)));
     for (const auto& [layer, table] : map.value(QStringLiteral("tables")).toMap())
         fields.tables[static_cast<Id>(layer.toInteger())] = table.toByteArray();
     // A path that is too long is dropped and a step's name is cut: the content can be recovered all the same.

@@ -5,6 +5,7 @@
 // Tile: one byte of channels, one that is 1 where the tile is uniform; then 4 values of 16 bits, or its texels,
 // [64][64][channels], as qCompress packs them. Little endian.
 // Head: the source mesh of an imported head (head.glb of hairpaint_format.md), as qCompress packs it.
+// OwnMesh: worn/<number>.glb of hairpaint_format.md, likewise.
 // State: StateFields as CBOR, as qCompress packs it.
 // Clean: nothing.
 #pragma once
@@ -16,6 +17,7 @@
 
 #include <map>
 #include <optional>
+#include <vector>
 
 namespace hairpaint::model {
 
@@ -26,6 +28,7 @@ struct StateFields
 {
     QByteArray project; ///< project.json of hairpaint_format.md.
     int head = kBuiltInHead;
+    std::vector<int> ownMeshes; ///< By their number in project.json, from 1 on: that of the record.
     /// By layer: 4 bytes for each of its tiles, the tile's number. A layer that is missing has those it had before.
     std::map<Id, QByteArray> tables;
     QString path, step;

@@ -3,6 +3,7 @@
 
 #include "model/disk/own_folder.h"
 #include "model/files/head_file.h"
+#include "model/files/own_mesh_file.h"
 #include "model/files/project_json.h"
 #include "model/journal/journal_format.h"
 #include "model/journal/journal_records.h"
@@ -58,6 +59,8 @@ public:
                 m_tiles.push_back({.at = at});
             else if (record->kind == RecordKind::Head)
                 m_heads.push_back({.at = at});
+            else if (record->kind == RecordKind::OwnMesh)
+                m_ownMeshes.push_back({.at = at});
             else if (record->kind == RecordKind::Clean)
                 m_clean = true;
             else if (record->kind == RecordKind::State && !take(record->payload, at))
@@ -114,6 +117,12 @@ private:
     {
         qint64 at = 0;
         std::shared_ptr<const Head> head = {};
+    };
+
+    struct FoundMesh
+    {
+        qint64 at = 0;
+        std::shared_ptr<const OwnMesh> mesh = {};
     };
 
     bool take(const QByteArray& payload, qint64 at)
@@ -225,6 +234,34 @@ private:
         return found.head;
     }
 
+    /// Puts the mesh of that record there; false where it can't be had.
+    bool fill(Worn& worn, const std::vector<int>& numbers)
+    {
+        if (worn.ownMesh.own == nullptr)
+            return true;
+        const auto entry = static_cast<std::size_t>(worn.ownMesh.own->entry);
+        if (entry < 1 || entry > numbers.size())
+            return false;
+        const auto number = static_cast<std::size_t>(numbers[entry - 1]);
+        if (number >= m_ownMeshes.size()) // Negative ones, too.
+            return false;
+        FoundMesh& found = m_ownMeshes[number];
+        if (!found.mesh) {
+            const std::optional<JournalRecord> record = recordAt(found.at, RecordKind::OwnMesh);
+            const std::optional<QByteArray> glb =
+                record ? unpackedPayload(record->payload, kMostOwnMeshBytes) : std::optional<QByteArray>();
+            constexpr std::size_t kMeshesOfIt = 3; // As bytes, as a mesh and as its mirror image.
+            if (!glb || !hold(kMeshesOfIt * static_cast<std::size_t>(glb->size())))
+                return false;
+            const Checked<std::shared_ptr<const OwnMesh>> mesh = ownMeshFromGlb(worn.ownMesh.own->name, *glb);
+            if (!mesh)
+                return false;
+            found.mesh = *mesh;
+        }
+        worn.ownMesh.own = found.mesh;
+        return true;
+    }
+
     bool fill(Layer& layer, int size, int channels, const FoundState& from)
     {
         const auto table = from.tables.find(layer.id);
@@ -258,6 +295,9 @@ private:
         state.project.head = headOf(manifest->head, fields->head);
         if (!state.project.head)
             return std::nullopt;
+        for (Worn& worn : state.project.worn)
+            if (!fill(worn, fields->ownMeshes))
+                return std::nullopt;
         for (HairGroup& group : state.project.groups) {
             for (SharedStack& shared : group.maps) {
                 MapStack& stack = shared.write();
@@ -279,6 +319,7 @@ private:
     QIODevice& m_file;
     std::vector<Tile> m_tiles;
     std::vector<SourceHead> m_heads;
+    std::vector<FoundMesh> m_ownMeshes;
     std::map<Id, Table> m_tables;
     std::map<int, FoundState> m_states; ///< States of the undo history that is being read, by their index in it.
     std::optional<int> m_current;

@@ -12,11 +12,12 @@ namespace hairpaint::model {
 
 enum class RecordKind : std::uint32_t
 {
-    Start = 1, ///< Version of the format of what follows.
-    Tile = 2,  ///< One tile's texels; tiles are numbered from 0 as they come.
-    Head = 3,  ///< An imported head's mesh; numbered likewise.
-    State = 4, ///< The content after one edit, naming tiles and a head by number.
-    Clean = 5  ///< What the last state holds is also in the project's file.
+    Start = 1,  ///< Version of the format of what follows.
+    Tile = 2,   ///< One tile's texels; tiles are numbered from 0 as they come.
+    Head = 3,   ///< An imported head's mesh; numbered likewise.
+    State = 4,  ///< The content after one edit, naming tiles and a head by number.
+    Clean = 5,  ///< What the last state holds is also in the project's file.
+    OwnMesh = 6 ///< A mesh that a user brought to be worn; numbered likewise.
 };
 
 struct JournalRecord

@@ -3,6 +3,7 @@
 
 #include "model/disk/atomic_file.h"
 #include "model/files/project_json.h"
+#include "model/files/worn_json.h"
 #include "model/journal/journal_format.h"
 
 #include <QFileInfo>
@@ -58,6 +59,7 @@ void JournalWriter::forget()
     m_tileCount = 0;
     m_tables.clear();
     m_heads.clear();
+    m_ownMeshes.clear();
     m_bytes = 0;
 }
 
@@ -112,6 +114,16 @@ int JournalWriter::headNumberOf(const std::shared_ptr<const Head>& head, QByteAr
     return static_cast<int>(known - m_heads.begin());
 }
 
+int JournalWriter::ownMeshNumberOf(const std::shared_ptr<const OwnMesh>& mesh, QByteArray& records)
+{
+    auto known = std::ranges::find(m_ownMeshes, mesh);
+    if (known == m_ownMeshes.end()) {
+        records += recordBytes(RecordKind::OwnMesh, packedPayload(mesh->glb));
+        known = m_ownMeshes.insert(m_ownMeshes.end(), mesh);
+    }
+    return static_cast<int>(known - m_ownMeshes.begin());
+}
+
 QByteArray JournalWriter::tableOf(const Layer& layer, QByteArray& records)
 {
     QByteArray table(static_cast<qsizetype>(layer.raster.tileCount()) * kTableEntryBytes, Qt::Uninitialized);
@@ -129,6 +141,8 @@ Checked<void> JournalWriter::write(QFile& file, const JournalState& state)
     QByteArray records;
     StateFields fields;
     fields.head = headNumberOf(state.project.head, records);
+    for (const std::shared_ptr<const OwnMesh>& mesh : ownMeshesOf(state.project.worn))
+        fields.ownMeshes.push_back(ownMeshNumberOf(mesh, records));
     std::map<Id, QByteArray> tables;
     for (const HairGroup& group : state.project.groups) {
         for (const MapStack& stack : group.maps) {

@@ -63,6 +63,7 @@ private:
     [[nodiscard]] Checked<void> write(QFile& file, const JournalState& state);
     [[nodiscard]] Checked<void> rewrite();
     [[nodiscard]] std::uint32_t numberOf(const sim::RasterTilePtr& tile, int channels, QByteArray& records);
+    [[nodiscard]] int ownMeshNumberOf(const std::shared_ptr<const OwnMesh>& mesh, QByteArray& records);
     [[nodiscard]] int headNumberOf(const std::shared_ptr<const Head>& head, QByteArray& records);
     [[nodiscard]] QByteArray tableOf(const Layer& layer, QByteArray& records);
     [[nodiscard]] Checked<void> put(QFile& file, QByteArrayView bytes);
@@ -77,6 +78,7 @@ private:
     std::uint32_t m_tileCount = 0;
     std::map<Id, QByteArray> m_tables; ///< By layer, its table of tiles as it was written last.
     std::vector<std::shared_ptr<const Head>> m_heads;
+    std::vector<std::shared_ptr<const OwnMesh>> m_ownMeshes;
     std::deque<JournalState> m_states; ///< The newest states that were appended.
     qint64 m_bytes = 0;
     qint64 m_rewrittenBytes = 0; ///< Size of the file when it was last written anew.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 
 namespace hairpaint::model {
 
@@ -18,7 +19,7 @@ std::vector<sim::Ellipsoid> shapesWhere(const std::vector<Worn>& all, const Want
 {
     std::vector<sim::Ellipsoid> shapes;
     for (const Worn& one : all)
-        if (wanted(wornSpec(one.kind)))
+        if (wanted(one))
             shapes.push_back(one.shape);
     return shapes;
 }
@@ -30,6 +31,18 @@ glm::quat standing(glm::vec3 normalHd)
     const glm::vec3 up = std::abs(normalHd.y) < kUpright ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, -1);
     const glm::vec3 x = glm::normalize(glm::cross(up, normalHd));
     return glm::normalize(glm::quat_cast(glm::mat3(x, glm::cross(normalHd, x), normalHd)));
+}
+
+/// Upright as meshes are modelled, turned to the side that the skin faces.
+glm::quat upright(glm::vec3 normalHd)
+{
+    constexpr float kLevel = 0.6F; // Above it, as on the crown, things face ahead.
+    const float level = glm::length(glm::vec2(normalHd.x, normalHd.z));
+    if (level < kLevel)
+        return {1.0F, 0.0F, 0.0F, 0.0F};
+    const float cosine = std::clamp(normalHd.z / level, -1.0F, 1.0F);
+    const float sine = std::sqrt(0.5F * (1.0F - cosine)); // Of half the angle.
+    return glm::normalize(glm::quat(std::sqrt(0.5F * (1.0F + cosine)), 0.0F, std::copysign(sine, normalHd.x), 0.0F));
 }
 
 /// Where gathered hair leaves: away from the skin, and a little down.
@@ -66,6 +79,15 @@ const WornSpec* wornOfPalette(int index)
                : nullptr;
 }
 
+std::uint16_t paletteIndexOf(const WornSpec& spec)
+{
+    const std::span<const PaletteEntry> palette = mapSpec(MapKind::Accessory).palette;
+    const auto found = std::ranges::find_if(palette, [&spec](const PaletteEntry& entry) {
+        return QLatin1StringView(entry.id) == QLatin1StringView(spec.id);
+    });
+    return static_cast<std::uint16_t>(found - palette.begin());
+}
+
 QString wornText(const char* text)
 {
     return QCoreApplication::translate("Worn", text);
@@ -74,6 +96,8 @@ QString wornText(const char* text)
 std::shared_ptr<const sim::HeadMesh> wornMesh(const Worn& worn, const sim::Skin* skin)
 {
     const WornSpec& spec = wornSpec(worn.kind);
+    if (worn.ownMesh.isRead())
+        return worn.mirrored ? worn.ownMesh.own->mirrored : worn.ownMesh.own->mesh;
     if (spec.fitted != nullptr && skin != nullptr)
         return spec.fitted(worn.shape, *skin);
     if (!spec.makes.empty())
@@ -119,12 +143,44 @@ Worn makeWorn(const WornSpec& spec, const sim::SurfacePoint& point, Id group)
 void standOn(Worn& worn, const sim::SurfacePoint& point)
 {
     const WornSpec& spec = wornSpec(worn.kind);
-    const float liftM = spec.liftRadii * worn.shape.semiAxesM.x / spec.proportions.x;
+    float liftM = spec.liftRadii * worn.shape.semiAxesM.x / spec.proportions.x;
+    if (spec.ownMesh) {
+        worn.shape.rotation = upright(point.normalHd);
+        liftM =
+            spec.liftRadii * glm::length(worn.shape.semiAxesM * (glm::conjugate(worn.shape.rotation) * point.normalHd));
+    }
     worn.shape.centreHd = point.positionHd + liftM * point.normalHd;
-    if (spec.stands)
+    if (spec.stands && !spec.ownMesh)
         worn.shape.rotation = standing(spec.tie ? leaving(point.normalHd) : point.normalHd);
     if (!spec.ofHead)
         worn.anchor = anchorAt(point);
+}
+
+const Worn* tieBeside(const std::vector<Worn>& all, const WornSpec& spec, glm::vec3 positionHd)
+{
+    constexpr float kNearRadii = 2.0F; // Of the tie, over its own height off the skin.
+    if (!spec.sitsOnTies)
+        return nullptr;
+    const Worn* nearest = nullptr;
+    float nearestM = std::numeric_limits<float>::max();
+    for (const Worn& one : all) {
+        const float awayM = glm::distance(one.shape.centreHd, positionHd);
+        if (wornSpec(one.kind).tie && awayM < std::min(nearestM, kNearRadii * one.shape.semiAxesM.x)) {
+            nearest = &one;
+            nearestM = awayM;
+        }
+    }
+    return nearest;
+}
+
+void sitOn(Worn& worn, const Worn& tie)
+{
+    constexpr float kOnRing = 0.9F; // Of its outer radius.
+    const float half = std::sqrt(0.5F);
+    const glm::quat turn = glm::normalize(tie.shape.rotation);
+    worn.shape.centreHd = tie.shape.centreHd + turn * glm::vec3(0.0F, kOnRing * tie.shape.semiAxesM.x, 0.0F);
+    worn.shape.rotation = glm::normalize(turn * glm::quat(half, -half, 0.0F, 0.0F));
+    worn.anchor = tie.anchor;
 }
 
 sim::SurfacePoint anchorPoint(const Worn& worn, const sim::Skin& skin)
@@ -147,6 +203,22 @@ void carryTo(Worn& worn, const sim::SurfacePoint& from, const sim::SurfacePoint&
     worn.anchor = anchorAt(to);
     if (worn.patch)
         worn.patch->placedByHand = true;
+}
+
+Worn mirroredWorn(const Worn& worn, const sim::Skin& skin)
+{
+    constexpr glm::vec3 kAcross(-1.0F, 1.0F, 1.0F);
+    Worn other = worn;
+    other.id = 0;
+    other.patch.reset();
+    other.mirrored = worn.ownMesh.own != nullptr && !worn.mirrored;
+    const sim::SurfacePoint from = anchorPoint(worn, skin);
+    const sim::SurfacePoint to = skin.nearest(kAcross * from.positionHd);
+    other.shape.centreHd = to.positionHd + kAcross * (worn.shape.centreHd - from.positionHd);
+    const glm::quat& turn = worn.shape.rotation;
+    other.shape.rotation = glm::quat(turn.w, turn.x, -turn.y, -turn.z);
+    other.anchor = anchorAt(to);
+    return other;
 }
 
 void holdSize(Worn& worn)
@@ -176,7 +248,7 @@ std::size_t countOf(const std::vector<Worn>& all, WornKind kind)
 
 std::vector<sim::Ellipsoid> contactShapes(const std::vector<Worn>& all)
 {
-    return shapesWhere(all, [](const WornSpec& spec) { return spec.collides; });
+    return shapesWhere(all, [](const Worn& one) { return wornSpec(one.kind).collides && !one.passable; });
 }
 
 std::vector<sim::Tie> tiesIn(const std::vector<Worn>& all, Id group)
@@ -192,7 +264,7 @@ std::vector<sim::Tie> tiesIn(const std::vector<Worn>& all, Id group)
 
 std::vector<sim::Ellipsoid> shapesOfHead(const std::vector<Worn>& all)
 {
-    return shapesWhere(all, [](const WornSpec& spec) { return spec.ofHead; });
+    return shapesWhere(all, [](const Worn& one) { return wornSpec(one.kind).ofHead; });
 }
 
 } // namespace hairpaint::model

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/project/change.h"
+#include "model/project/own_mesh.h"
 #include "sim/groom/tie.h"
 #include "sim/skin/ellipsoid.h"
 #include "sim/skin/head_mesh.h"
@@ -12,6 +13,7 @@
 #include <QLatin1StringView>
 #include <QString>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -29,7 +31,8 @@ enum class WornKind : std::uint8_t
     Bow,
     Hairpin,
     Flower,
-    Comb
+    Comb,
+    Mesh ///< What a user brought.
 };
 
 /// The point of the head's skin that a thing hangs on. Its offset from there and its rotation in the skin's frame
@@ -64,6 +67,9 @@ struct Worn
     float tightness = 0.0F;                ///< As sim::Tie has it, 0..1; 0 for kinds that are no ties.
     float coilRadiusM = 0.0F;              ///< How far hair is wound about the tie of a bun; 0 for other kinds.
     std::optional<WornPatch> patch = {};   ///< The patch that it is painted as; none where it was put on by hand.
+    SharedOwnMesh ownMesh = {};            ///< Of WornKind::Mesh, what is drawn; none: WornSpec::mesh.
+    bool mirrored = false;                 ///< Whether that is drawn with its x the other way round.
+    bool passable = false;                 ///< Whether hair goes through it although its kind collides.
     friend bool operator==(const Worn&, const Worn&) = default;
 };
 
@@ -125,6 +131,8 @@ struct WornSpec
     bool alongPatch = false; ///< Whether it lies along its patch, half as long; others are as large as the patch.
     /// How it gathers the hair of its patch, which leaves along its z axis; none if not.
     std::optional<sim::TieForm> tie = {};
+    bool sitsOnTies = false;         ///< Whether one that is put on at a tie sits on its ring.
+    bool ownMesh = false;            ///< Whether users bring its mesh; its proportions are the mesh's.
     float reach = 1.0F;              ///< Radius of the ball that holds `mesh`, in radii of the unit ball.
     float tieHole = 0.0F;            ///< Inner radius of a tie, in radii.
     float coilRadiusM = 0.0F;        ///< Worn::coilRadiusM of a new bun.
@@ -140,6 +148,8 @@ struct WornSpec
 
 /// The kind that an entry of the accessory map's palette stands for; null for "none".
 [[nodiscard]] const WornSpec* wornOfPalette(int index);
+/// The other way round; the palette holds what is painted.
+[[nodiscard]] std::uint16_t paletteIndexOf(const WornSpec& spec);
 /// The mesh that is drawn, in the space of the unit ball (rendering::Solid). It is made once, but at each call for a
 /// kind that fits the head; without a skin it fits none. Null for a kind that is not drawn.
 [[nodiscard]] std::shared_ptr<const sim::HeadMesh> wornMesh(const Worn& worn, const sim::Skin* skin);
@@ -148,8 +158,14 @@ struct WornSpec
 
 /// A new thing on the skin, without an id.
 [[nodiscard]] Worn makeWorn(const WornSpec& spec, const sim::SurfacePoint& point, Id group = 0);
+/// A copy on the other side of the head, without id and patch.
+[[nodiscard]] Worn mirroredWorn(const Worn& worn, const sim::Skin& skin);
 /// Puts it at the point as makeWorn() does, but keeps its size.
 void standOn(Worn& worn, const sim::SurfacePoint& point);
+/// The tie on whose ring a new thing of the kind sits that is put on at a point of the skin; null: none.
+[[nodiscard]] const Worn* tieBeside(const std::vector<Worn>& all, const WornSpec& spec, glm::vec3 positionHd);
+/// Puts it on the tie's ring, where the bow of a ribbon lies: face up, its own y against the hair that leaves.
+void sitOn(Worn& worn, const Worn& tie);
 /// The point of the skin that it hangs on.
 [[nodiscard]] sim::SurfacePoint anchorPoint(const Worn& worn, const sim::Skin& skin);
 /// Moves it by hand from one point of the skin to another; its offset and rotation in the skin's frame stay.

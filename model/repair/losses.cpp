@@ -84,6 +84,11 @@ void Losses::head(const QString& name)
                   .arg(quotedName(name)));
 }
 
+void Losses::ownMesh(const QString& name)
+{
+    add(say(QT_TRANSLATE_NOOP("Files", "The mesh '%1' that is worn is lost; put it on anew.")).arg(quotedName(name)));
+}
+
 void Losses::groupSettings(const QString& group)
 {
     add(say(QT_TRANSLATE_NOOP("Files", "Settings of the group '%1' are lost; the usual ones take their place."))

@@ -13,6 +13,7 @@ public:
     /// A key of project.json, outside the groups: one that mendedJson looks at, or "head".
     void setting(const QString& key);
     void head(const QString& name);
+    void ownMesh(const QString& name); ///< A mesh that is worn.
     /// All of them, or some: where the JSON ends, they have their usual values.
     void groupSettings(const QString& group);
     /// `key`: "name", "visible", or one of groupSchema().

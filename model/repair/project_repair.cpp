@@ -5,6 +5,7 @@
 #include "model/files/group_json.h"
 #include "model/files/head_file.h"
 #include "model/files/layer_files.h"
+#include "model/files/own_mesh_file.h"
 #include "model/files/png_codec.h"
 #include "model/files/png_reader.h"
 #include "model/files/project_file.h"
@@ -81,6 +82,7 @@ public:
             return tl::unexpected(layers.error());
         if (Checked<void> head = readHead(*manifest); !head)
             return tl::unexpected(head.error());
+        readMeshes(project);
         const auto goesOn = [this] { return m_progress.goesOn(); };
         if (!goesOn() || project.head == nullptr || !paintFormerCombing(project, manifest->formerCombing, goesOn))
             return std::nullopt;
@@ -243,6 +245,25 @@ private:
         }
         manifest.project.head = std::move(*head);
         return {};
+    }
+
+    /// Takes away what was worn of meshes that are lost.
+    void readMeshes(Project& project)
+    {
+        const auto bytesOf = [this](int number) -> Checked<QByteArray> {
+            const std::optional<SalvagedArchive::Content> glb =
+                m_archive.read(ownMeshEntryName(number), kMostOwnMeshBytes);
+            return glb ? Checked<QByteArray>(glb->bytes) : nothingLeft();
+        };
+        std::vector<Worn> found;
+        for (const Worn& one : project.worn) {
+            std::vector<Worn> alone{one};
+            if (readOwnMeshes(alone, bytesOf))
+                found.push_back(std::move(alone.front()));
+            else
+                m_losses.ownMesh(one.ownMesh.own->name);
+        }
+        project.worn = std::move(found);
     }
 
     SalvagedArchive m_archive;

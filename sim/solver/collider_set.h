@@ -11,7 +11,7 @@
 
 namespace hairpaint::sim {
 
-inline constexpr int kMaxColliders = 64;
+inline constexpr int kMaxColliders = 80;
 
 /// p lies on the ellipsoid where the quadratic form of p - centre is 1. Hd, m.
 struct Collider

@@ -192,6 +192,45 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(stack().count(), 1, kPatienceMs);
     }
 
+    /// A mesh without uvs, in centimetres, put on and taken off again.
+    void aMeshIsPutOn()
+    {
+        open(test::smallProject());
+        const std::vector<model::Worn> before = session().document().committed().worn;
+        QFile file(path("box.obj"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("v -0.02 0 -0.01\nv 0.02 0 -0.01\nv 0.02 0 0.01\nv -0.02 0 0.01\nv 0 0.05 0\n"
+                   "f 1 2 3 4\nf 1 5 2\nf 2 5 3\nf 3 5 4\nf 4 5 1\n");
+        file.close();
+        m_answers->file = file.fileName();
+        trigger("hair.addMesh");
+        QCOMPARE(m_answers->said, QStringList());
+        QCOMPARE(stack().count(), 1);
+        const model::Worn* worn = session().document().committed().wornThing(editor().options().chosenWorn());
+        QVERIFY(worn != nullptr && worn->kind == model::WornKind::Mesh && worn->ownMesh.isRead());
+        QCOMPARE(worn->ownMesh.own->name, QStringLiteral("box"));
+        QVERIFY(glm::distance(worn->shape.semiAxesM, glm::vec3(0.02F, 0.025F, 0.01F)) < 1e-5F);
+        QVERIFY(worn->anchor && worn->group == editor().target().group());
+        QVERIFY(action("hair.mirrorWorn")->isEnabled());
+        trigger("hair.mirrorWorn");
+        QCOMPARE(countOf(session().document().committed().worn, model::WornKind::Mesh), std::size_t{2});
+        session().document().undo();
+        session().document().undo();
+        QVERIFY(session().document().committed().worn == before);
+        QVERIFY(!action("hair.mirrorWorn")->isEnabled());
+        // What cannot be worn is told, and changes nothing.
+        QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+        file.write("no mesh");
+        file.close();
+        trigger("hair.addMesh");
+        QCOMPARE(m_answers->said.size(), 1);
+        QVERIFY(m_answers->said.front().contains(QStringLiteral("box.obj")));
+        m_answers->file.clear();
+        trigger("hair.addMesh");
+        QCOMPARE(m_answers->said.size(), 1);
+        QVERIFY(session().document().committed().worn == before);
+    }
+
     void cancelEndsASilentHelper_data()
     {
         QTest::addColumn<QByteArray>("action");

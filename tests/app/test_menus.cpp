@@ -170,7 +170,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<model::WornKind>("kind");
         for (const model::WornSpec& spec : model::wornSpecs())
-            if (!spec.tie) // A tie wants hair: test_tied_hair.
+            if (!spec.tie && !spec.ownMesh) // A tie wants hair: test_tied_hair; a mesh wants a file: test_exchange.
                 QTest::newRow(spec.id) << spec.kind;
     }
 

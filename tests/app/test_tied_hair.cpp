@@ -2,6 +2,8 @@
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
 
+#include <cmath>
+
 namespace hairpaint::app {
 
 class TestTiedHair : public QObject, private WindowFixture
@@ -36,6 +38,58 @@ private Q_SLOTS:
         QVERIFY(session().document().project().worn.back() == tie);
         session().document().undo();
         QCOMPARE(savedBytes("after.hairpaint"), before);
+    }
+
+    /// A bow that is put on where the tail hangs lies on its ring, and the brush offers what was put on.
+    void aBowSitsOnTheTie()
+    {
+        openWindow(model::newProject());
+        editor().target().setMap(model::MapKind::Density);
+        m_window->actions().find(QLatin1StringView("edit.fill"))->trigger();
+        const auto [area, at] = onHead(0.5F, 0.7F);
+        QTest::mouseMove(area, at);
+        m_window->actions().find(QLatin1StringView("hair.addBun"))->trigger();
+        const model::Worn tie = session().document().project().worn.back();
+        QCOMPARE(tie.kind, model::WornKind::Bun);
+        QCOMPARE(model::wornOfPalette(editor().tools().settings().value(model::MapKind::Accessory).index),
+                 &model::wornSpec(model::WornKind::Bun));
+        m_window->actions().find(QLatin1StringView("hair.addBow"))->trigger();
+        const model::Worn& bow = *session().document().project().wornThing(editor().options().chosenWorn());
+        QCOMPARE(bow.kind, model::WornKind::Bow);
+        const glm::vec3 off = bow.shape.centreHd - tie.shape.centreHd;
+        QVERIFY(std::abs(glm::length(off) - 0.9F * tie.shape.semiAxesM.x) < 1e-4F);
+        const auto axisOf = [](const model::Worn& worn, glm::vec3 axis) {
+            return glm::normalize(worn.shape.rotation) * axis;
+        };
+        QVERIFY(glm::dot(axisOf(bow, {0.0F, 0.0F, 1.0F}), glm::normalize(off)) > 0.999F);              // Face up,
+        QVERIFY(glm::dot(axisOf(bow, {0.0F, -1.0F, 0.0F}), axisOf(tie, {0.0F, 0.0F, 1.0F})) > 0.999F); // tails along.
+        QVERIFY(bow.anchor == tie.anchor);
+        // Elsewhere it stands on the skin.
+        const auto [other, beside] = onHead(0.35F, 0.6F);
+        QTest::mouseMove(other, beside);
+        m_window->actions().find(QLatin1StringView("hair.addBow"))->trigger();
+        QVERIFY(session().document().project().wornThing(editor().options().chosenWorn())->anchor != tie.anchor);
+    }
+
+    void cornrowsThatATieTakesAreTold()
+    {
+        openWindow(model::newProject());
+        const QSignalSpy told(&editor(), &view::EditorState::told);
+        editor().target().setMap(model::MapKind::Density);
+        m_window->actions().find(QLatin1StringView("edit.fill"))->trigger();
+        const auto [area, at] = onHead(0.5F, 0.7F);
+        QTest::mouseMove(area, at);
+        m_window->actions().find(QLatin1StringView("hair.addBun"))->trigger();
+        QCOMPARE(told.count(), 0);
+        session().document().undo();
+        editor().target().setMap(model::MapKind::Braid);
+        model::ToolSettings settings = editor().tools().settings();
+        settings.value(model::MapKind::Braid).index = static_cast<int>(sim::BraidKind::Cornrow);
+        editor().tools().setSettings(settings);
+        drag(m_window->paintView(), paintPoint(0.45F, 0.7F), paintPoint(0.45F, 0.8F));
+        QTest::mouseMove(area, at);
+        m_window->actions().find(QLatin1StringView("hair.addBun"))->trigger();
+        QCOMPARE(told.count(), 1);
     }
 
     void whereNoHairIsItSaysSo()

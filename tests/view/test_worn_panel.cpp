@@ -6,6 +6,7 @@
 #include "view/panels/worn_panel.h"
 #include "view/widgets/swatch.h"
 
+#include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
 #include <QUndoStack>
@@ -123,6 +124,25 @@ private Q_SLOTS:
         if (isKept)
             f.document.undo();
         QVERIFY(f.document.committed().worn == before);
+    }
+
+    void hairGoesThroughAnOwnMeshThatSaysSo()
+    {
+        WornPanelFixture f;
+        f.document.push(addWornCommand(f.document, makeWorn(model::wornSpec(model::WornKind::Mesh), {})));
+        f.document.undoStack().clear();
+        auto* box = f.panel.findChild<QCheckBox*>(QStringLiteral("wornPassable"));
+        f.choose(0);
+        QVERIFY(!box->isVisible());
+        f.choose(2);
+        QVERIFY(box->isVisible() && !box->isChecked());
+        const std::size_t before = f.document.groomInput().colliders.size();
+        box->click();
+        QCOMPARE(f.steps(), 1);
+        QVERIFY(f.document.committed().worn.back().passable && box->isChecked());
+        QCOMPARE(f.document.groomInput().colliders.size(), before - 1);
+        f.document.undo();
+        QVERIFY(!box->isChecked());
     }
 
     void aTieIsMadeOfWhatIsChosen()

@@ -162,6 +162,21 @@ void HeadView::addWorn(model::WornKind kind)
         addWornAt(m_state, kind, *point);
 }
 
+std::optional<sim::SurfacePoint> HeadView::pointForWorn() const
+{
+    return m_scene->pointForWorn();
+}
+
+void HeadView::addWornThing(const model::Worn& worn)
+{
+    view::addWornThing(m_state, worn);
+}
+
+void HeadView::mirrorWorn()
+{
+    mirrorChosenWorn(m_state);
+}
+
 void HeadView::addTwinTails()
 {
     if (const std::optional<sim::SurfacePoint> point = m_scene->pointForWorn())

@@ -69,6 +69,9 @@ public:
     /// The hair shows that map's colours at present; none: its own. With the direction map directions are drawn, too.
     void setLookedAt(std::optional<model::MapKind> map);
 
+    /// Where what is put on goes: where the brush was last; none without a head.
+    [[nodiscard]] std::optional<sim::SurfacePoint> pointForWorn() const;
+
     [[nodiscard]] QSize sizeHint() const override;
 
 public Q_SLOTS:
@@ -77,11 +80,13 @@ public Q_SLOTS:
     /// The head goes through it once, so that the hair swings; not while it is dragged. Outside undo.
     void moveHead(hairpaint::sim::NeckMotion motion);
     void turnToBrush(); ///< Turns the camera to the skin where the brush was last, in whichever area.
-    void addWorn(hairpaint::model::WornKind kind); ///< Adds it where the brush was last, and chooses it.
-    void addTwinTails();                           ///< Adds ties there and on the other side.
-    void removeWorn();                             ///< Removes the chosen one.
-    void setHairPaused(bool paused);               ///< Says so over the picture.
-    void setWeatherShown(bool shown);              ///< F7: the paper's keys for wind and light.
+    void addWorn(hairpaint::model::WornKind kind);         ///< Adds it where the brush was last, and chooses it.
+    void addWornThing(const hairpaint::model::Worn& worn); ///< Chooses it, too.
+    void mirrorWorn();                                     ///< Adds a copy of the chosen one on the other side.
+    void addTwinTails();                                   ///< Adds ties there and on the other side.
+    void removeWorn();                                     ///< Removes the chosen one.
+    void setHairPaused(bool paused);                       ///< Says so over the picture.
+    void setWeatherShown(bool shown);                      ///< F7: the paper's keys for wind and light.
 
 Q_SIGNALS:
     void puffWanted(glm::vec3 centreWo, glm::vec3 velocity, float radiusM);

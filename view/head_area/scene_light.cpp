@@ -58,6 +58,7 @@ std::vector<rendering::Solid> sceneSolids(const std::vector<model::Worn>& worn, 
         solid.mesh = spec.fitted != nullptr && same != before.end() ? same->mesh : wornMesh(one, skin);
         solid.colour = linearColour(one.colour);
         solid.sheen = one.sheen;
+        solid.open = one.ownMesh.isRead();
     }
     return solids;
 }

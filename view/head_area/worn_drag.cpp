@@ -120,7 +120,7 @@ model::Id WornDrag::bodyAt(QPointF position) const
         around.semiAxesM *= spec.reach;
         std::optional<float> entryM = entryAlong(ray, around);
         if (entryM && spec.stands && solid < m_scene.solids().size())
-            entryM = meetingAlong(ray, worn.shape, *m_scene.solids()[solid].mesh);
+            entryM = meetingAlong(ray, worn.shape, *m_scene.solids()[solid].mesh, m_scene.solids()[solid].open);
         if (entryM && *entryM < nearestM) {
             nearestM = *entryM;
             nearest = worn.id;

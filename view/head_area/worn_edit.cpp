@@ -3,13 +3,80 @@
 
 #include "model/document/gather_command.h"
 #include "model/document/scene_commands.h"
+#include "model/patches/project_patches.h"
+#include "sim/groom/groom.h"
 #include "view/editing/editor_state.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace hairpaint::view {
+
+namespace {
+
+/// Pushes it, and chooses what it added: the newest of its kind is the last one.
+void pushAndChoose(EditorState& editor, model::CommandPtr command, model::WornKind kind)
+{
+    editor.document().push(std::move(command));
+    const std::vector<model::Worn>& all = editor.document().project().worn;
+    editor.options().setChosenWorn(std::ranges::find(all.rbegin(), all.rend(), kind, &model::Worn::kind)->id);
+}
+
+model::Worn wornAt(const model::Project& project, const model::WornSpec& spec, const sim::SurfacePoint& point,
+                   model::Id group)
+{
+    model::Worn worn = makeWorn(spec, point, group);
+    if (const model::Worn* tie = tieBeside(project.worn, spec, point.positionHd))
+        sitOn(worn, *tie);
+    return worn;
+}
+
+/// The brush offers what was put on last.
+void offer(EditorState& editor, const model::WornSpec& spec)
+{
+    model::ToolSettings settings = editor.tools().settings();
+    settings.value(model::MapKind::Accessory).index = paletteIndexOf(spec);
+    editor.tools().setSettings(settings);
+}
+
+/// Whether some of the hair that the chosen tie gathers would lie in a cornrow without it.
+bool takesRows(EditorState& editor)
+{
+    constexpr int kSamples = 256; // Along each side of the map.
+    model::Document& document = editor.document();
+    const model::Worn* tie = document.project().wornThing(editor.options().chosenWorn());
+    const model::ProjectPatches::Group* patches = tie != nullptr ? document.patches().group(tie->group) : nullptr;
+    const sim::MapRaster rows = patches != nullptr ? document.resolvedNow(tie->group, model::MapKind::Braid) : nullptr;
+    if (rows == nullptr || (rows->uniformValue() && (*rows->uniformValue())[0] == 0))
+        return false;
+    for (int y = 0; y < kSamples; ++y)
+        for (int x = 0; x < kSamples; ++x) {
+            const glm::vec2 uv = (glm::vec2(x, y) + 0.5F) / static_cast<float>(kSamples);
+            if (rows->sampleNearest(uv)[0] != static_cast<std::uint16_t>(sim::BraidKind::Cornrow))
+                continue;
+            const std::optional<std::size_t> patch = patches->labels.at(uv);
+            if (patch && patches->things[*patch] == tie->id)
+                return true;
+        }
+    return false;
+}
+
+/// After a tie was put on.
+void tellOfTie(EditorState& editor, const model::WornSpec& spec)
+{
+    offer(editor, spec);
+    if (takesRows(editor))
+        editor.tell(model::wornText(QT_TRANSLATE_NOOP(
+            "Worn",
+            "This tie takes the hair out of the cornrows under it: select the other hair before you put one on")));
+}
+
+} // namespace
 
 void addWornAt(EditorState& editor, model::WornKind kind, const sim::SurfacePoint& point)
 {
@@ -17,7 +84,7 @@ void addWornAt(EditorState& editor, model::WornKind kind, const sim::SurfacePoin
     model::Document& document = editor.document();
     model::CommandPtr command =
         spec.patchStep == nullptr
-            ? addWornCommand(document, makeWorn(spec, point, editor.target().group()))
+            ? addWornCommand(document, wornAt(document.project(), spec, point, editor.target().group()))
             : gatherCommand(document, editor.target().group(), spec, point, editor.tools().selection().rectangles());
     if (command == nullptr) {
         if (spec.patchStep != nullptr && editor.tools().mayPaint({model::MapKind::Accessory}))
@@ -25,12 +92,25 @@ void addWornAt(EditorState& editor, model::WornKind kind, const sim::SurfacePoin
                 QT_TRANSLATE_NOOP("Worn", "No hair is left to gather here: paint density, or take another tie off")));
         return;
     }
-    document.push(std::move(command));
-    const std::vector<model::Worn>& all = document.project().worn;
     if (!spec.drawn())
         editor.options().setCollidersShown(true);
-    // The newest of its kind is the last one.
-    editor.options().setChosenWorn(std::ranges::find(all.rbegin(), all.rend(), kind, &model::Worn::kind)->id);
+    pushAndChoose(editor, std::move(command), kind);
+    if (spec.patchStep != nullptr)
+        tellOfTie(editor, spec);
+}
+
+void addWornThing(EditorState& editor, const model::Worn& worn)
+{
+    if (model::CommandPtr command = addWornCommand(editor.document(), worn))
+        pushAndChoose(editor, std::move(command), worn.kind);
+}
+
+void mirrorChosenWorn(EditorState& editor)
+{
+    const model::Project& project = editor.document().project();
+    const model::Worn* chosen = project.wornThing(editor.options().chosenWorn());
+    if (chosen != nullptr && !chosen->patch && project.head != nullptr && project.head->skin != nullptr)
+        addWornThing(editor, mirroredWorn(*chosen, *project.head->skin));
 }
 
 void addTwinTailsAt(EditorState& editor, const sim::SurfacePoint& point)
@@ -47,9 +127,8 @@ void addTwinTailsAt(EditorState& editor, const sim::SurfacePoint& point)
                 "Worn", "No hair grows on both sides here that two tails could take: paint density on both")));
         return;
     }
-    document.push(std::move(command));
-    const std::vector<model::Worn>& all = document.project().worn;
-    editor.options().setChosenWorn(std::ranges::find(all.rbegin(), all.rend(), spec.kind, &model::Worn::kind)->id);
+    pushAndChoose(editor, std::move(command), spec.kind);
+    tellOfTie(editor, spec);
 }
 
 void removeChosenWorn(EditorState& editor)

@@ -67,7 +67,8 @@ std::vector<WornHandle> handlesOf(const model::Worn& worn, const HeadSight& sigh
     return handles;
 }
 
-std::optional<float> meetingAlong(const sim::RayHd& ray, const sim::Ellipsoid& shape, const sim::HeadMesh& mesh)
+std::optional<float> meetingAlong(const sim::RayHd& ray, const sim::Ellipsoid& shape, const sim::HeadMesh& mesh,
+                                  bool open)
 {
     const glm::quat back = glm::conjugate(glm::normalize(shape.rotation));
     const glm::vec3 origin = back * (ray.originHd - shape.centreHd) / shape.semiAxesM;
@@ -78,10 +79,12 @@ std::optional<float> meetingAlong(const sim::RayHd& ray, const sim::Ellipsoid& s
         const glm::vec3 ab = mesh.positionsHd[triangle.y] - a;
         const glm::vec3 ac = mesh.positionsHd[triangle.z] - a;
         const glm::vec3 across = glm::cross(direction, ac);
-        const float determinant = glm::dot(ab, across);
-        if (determinant <= 0.0F)
+        const float facing = glm::dot(ab, across);
+        if (facing == 0.0F || (facing < 0.0F && !open))
             continue; // Seen from behind.
-        const glm::vec3 from = origin - a;
+        const float side = facing < 0.0F ? -1.0F : 1.0F;
+        const float determinant = side * facing;
+        const glm::vec3 from = side * (origin - a);
         const float u = glm::dot(from, across);
         const glm::vec3 other = glm::cross(from, ab);
         const float v = glm::dot(direction, other);

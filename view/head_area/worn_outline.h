@@ -38,9 +38,10 @@ struct WornHandle
 [[nodiscard]] std::vector<WornHandle> handlesOf(const model::Worn& worn, const HeadSight& sight);
 /// Direction from the centre to an axis's end, Hd, unit.
 [[nodiscard]] glm::vec3 axisToEnd(const sim::Ellipsoid& shape, int end);
-/// How far along the ray it meets a mesh of the unit ball's space, m; none where it misses it.
+/// How far along the ray it meets a mesh of the unit ball's space, m; none where it misses it. `open`: from inside,
+/// too.
 [[nodiscard]] std::optional<float> meetingAlong(const sim::RayHd& ray, const sim::Ellipsoid& shape,
-                                                const sim::HeadMesh& mesh);
+                                                const sim::HeadMesh& mesh, bool open);
 /// How far along the ray it enters the shape, m; none where it misses it or begins inside.
 [[nodiscard]] std::optional<float> entryAlong(const sim::RayHd& ray, const sim::Ellipsoid& shape);
 

@@ -6,6 +6,7 @@
 #include "view/widgets/section.h"
 #include "view/widgets/swatch.h"
 
+#include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
 #include <QGridLayout>
@@ -82,6 +83,12 @@ WornPanel::WornPanel(EditorState& state, QWidget* parent)
     m_coil->setHint(tr("How far hair is wound about the tie"));
     controls->addWidget(m_coil);
 
+    m_passable = new QCheckBox(tr("Hair goes through it"), m_look);
+    m_passable->setObjectName(QStringLiteral("wornPassable"));
+    m_passable->setToolTip(tr("Else hair keeps out of the ellipsoid in its box"));
+    controls->addWidget(m_passable);
+    connect(m_passable, &QCheckBox::clicked, this, &WornPanel::setPassable);
+
     connect(m_make, &QComboBox::activated, this, &WornPanel::choose);
     connect(m_colour, &Swatch::clicked, this, &WornPanel::chooseColour);
     bind(*m_sheen, &model::WornSpec::lookStep,
@@ -154,6 +161,16 @@ void WornPanel::choose(int make)
     session.commit();
 }
 
+void WornPanel::setPassable(bool passable)
+{
+    const model::Worn* worn = chosen();
+    if (worn == nullptr || worn->passable == passable)
+        return;
+    model::EditSession session;
+    showEdit(session, worn->id, &model::WornSpec::lookStep, [passable](model::Worn& one) { one.passable = passable; });
+    session.commit();
+}
+
 void WornPanel::chooseColour()
 {
     const model::Worn* worn = chosen();
@@ -197,7 +214,8 @@ void WornPanel::followSwatches()
             m_swatches.push_back(made);
         }
         Swatch& swatch = *m_swatches[index];
-        const QString name = tr("%1 %2").arg(model::wornText(spec.title)).arg(index + 1);
+        const QString title = worn.ownMesh.own != nullptr ? worn.ownMesh.own->name : model::wornText(spec.title);
+        const QString name = tr("%1 %2").arg(title).arg(index + 1);
         swatch.setColour(QColor::fromRgb(worn.colour));
         swatch.setToolTip(name);
         swatch.setAccessibleName(name);
@@ -247,6 +265,8 @@ void WornPanel::followMaking(const model::Worn& worn)
     m_make->setCurrentIndex(worn.make);
     m_tightness->setVisible(spec.tie.has_value());
     m_tightness->setValue(static_cast<double>(worn.tightness) * kWornPercent);
+    m_passable->setVisible(spec.ownMesh);
+    m_passable->setChecked(worn.passable);
     m_coil->setVisible(spec.coilRadiusM > 0.0F);
     m_coil->setDefaultValue(static_cast<double>(spec.coilRadiusM) * kMmPerM);
     m_coil->setValue(static_cast<double>(worn.coilRadiusM) * kMmPerM);

@@ -9,6 +9,7 @@
 #include <functional>
 #include <vector>
 
+class QCheckBox;
 class QComboBox;
 class QGridLayout;
 
@@ -33,6 +34,7 @@ private:
     void bind(BarSlider& slider, Step step, const std::function<void(model::Worn&, double)>& set);
     void chooseColour();
     void choose(int make);
+    void setPassable(bool passable);
     void followMaking(const model::Worn& worn);
     /// Shows an edit of the worn thing with that id.
     void showEdit(model::EditSession& session, model::Id id, Step step, const Edit& edit);
@@ -51,6 +53,7 @@ private:
     BarSlider* m_radius;
     BarSlider* m_tightness; ///< Shown for a tie.
     BarSlider* m_coil;      ///< Shown for a bun.
+    QCheckBox* m_passable;  ///< Shown for an own mesh.
     model::Id m_shown = 0;  ///< The thing that the controls show.
     model::EditSession m_colourEdit;
 };

@@ -43,6 +43,7 @@ void AreaMenu::addWorn(const ActionSet& actions)
         if (spec->tie == sim::TieForm::Tail)
             worn->addAction(actions.find(QLatin1StringView("hair.addTwinTails")));
     }
+    addAction(actions.find(QLatin1StringView("hair.mirrorWorn")));
     addAction(actions.find(QLatin1StringView("hair.removeWorn")));
 }
 

@@ -20,7 +20,7 @@ HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, W
     addSeparator();
     addSimulation(actions, session);
     addMotions(actions, session, head);
-    addWorn(actions, session, head);
+    addWorn(actions, session, head, exchange);
     actions.add(*this, {{.id = "hair.hold",
                          .text = tr("Hol&d as it lies now"),
                          .keys = {Qt::SHIFT | Qt::Key_H},
@@ -116,7 +116,7 @@ void HairMenu::addSimulation(ActionSet& actions, Session& session)
                          "reset"}});
 }
 
-void HairMenu::addWorn(ActionSet& actions, Session& session, view::HeadView& head)
+void HairMenu::addWorn(ActionSet& actions, Session& session, view::HeadView& head, Exchange& exchange)
 {
     QMenu* menu = addMenu(tr("&Tie and put on"));
     menu->setToolTipsVisible(true);
@@ -129,7 +129,13 @@ void HairMenu::addWorn(ActionSet& actions, Session& session, view::HeadView& hea
         const QByteArray id = QByteArray("hair.add") + spec.action;
         actions.add(*menu, {{.id = id,
                              .text = model::wornText(spec.addTitle),
-                             .run = [&head, kind = spec.kind] { head.addWorn(kind); },
+                             .run =
+                                 [&head, &exchange, &spec] {
+                                     if (spec.ownMesh)
+                                         exchange.worn().putOn(head);
+                                     else
+                                         head.addWorn(spec.kind);
+                                 },
                              .enabled =
                                  [&session, &spec] {
                                      const model::Project& project = session.document().project();
@@ -149,6 +155,18 @@ void HairMenu::addWorn(ActionSet& actions, Session& session, view::HeadView& hea
     const auto chosen = [&session]() -> const model::Worn* {
         return session.document().project().wornThing(session.editor().options().chosenWorn());
     };
+    actions.add(*this, {{.id = "hair.mirrorWorn",
+                         .text = tr("&Copy what is chosen to the other side"),
+                         .run = [&head] { head.mirrorWorn(); },
+                         .enabled =
+                             [chosen, &session] {
+                                 const model::Worn* worn = chosen();
+                                 return worn != nullptr && !worn->patch &&
+                                        countOf(session.document().project().worn, worn->kind) <
+                                            wornSpec(worn->kind).limit;
+                             }}});
+    actions.find(QLatin1StringView("hair.mirrorWorn"))
+        ->setToolTip(tr("Puts one like it on the other side of the head; what is painted is painted there"));
     actions.add(*this, {{.id = "hair.removeWorn",
                          .text = tr("Take o&ff what is chosen"),
                          .run = [&head] { head.removeWorn(); },
