@@ -40,18 +40,6 @@ QToolButton* toggle(const QString& iconName, const QString& name, QWidget* paren
     return button;
 }
 
-/// Beside it there is room for its name.
-bool isOnlySwitch(const EditorState& state, const ToolOption& row)
-{
-    return std::ranges::all_of(state.tools().all(), [&row](const auto& tool) {
-        const model::ToolOptions options = tool->options();
-        return std::ranges::find(options, &row) == options.end() ||
-               std::ranges::count_if(options, [](const ToolOption* one) {
-                   return std::holds_alternative<model::ToolSwitch>(one->kind);
-               }) == 1;
-    });
-}
-
 QWidget* box(QWidget* parent)
 {
     auto* widget = new QWidget(parent);
@@ -184,10 +172,6 @@ void OptionBar::build(Option& option, const model::ToolSwitch& one)
     QToolButton* button = toggle(QLatin1StringView(one.icon), option.row->labelText(), this);
     button->setProperty("switch", true);
     button->setIcon(switchIcon(QLatin1StringView(one.icon)));
-    if (isOnlySwitch(m_state, *option.row)) {
-        button->setText(option.row->labelText());
-        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    }
     connect(button, &QToolButton::clicked, this, [this, row = option.row](bool on) { change(*row, on ? 1.0 : 0.0); });
     option.widget = button;
     option.buttons.push_back(button);
