@@ -7155,10 +7155,6 @@ Se ha perdido esto:</translation>
         <translation>Cambios que aún no están en ningún archivo; Ctrl+S los guarda</translation>
     </message>
     <message>
-        <source>Drag over hanging hair: it takes the colour from where it is touched to its tips</source>
-        <translation>Arrastra sobre el pelo que cuelga: toma el color desde donde se toca hasta las puntas</translation>
-    </message>
-    <message>
         <source>%1. Erasing %2</source>
         <translation>%1. Borrar %2</translation>
     </message>

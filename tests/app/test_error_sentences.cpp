@@ -208,6 +208,8 @@ private Q_SLOTS:
         const Exceptions nameless = {
             {QStringLiteral("Drawing the picture was cancelled."), QStringLiteral("the user did it")},
             {QStringLiteral("There is no hair to hold in this group."), QStringLiteral("of no file")},
+            {QStringLiteral("Nothing to hold: this hair hangs by its weight, or its gel holds it already."),
+             QStringLiteral("of no file")},
             {QStringLiteral("The image holds no pixels; choose another."), QStringLiteral("of pixels in memory")},
         };
         static const QRegularExpression failure(

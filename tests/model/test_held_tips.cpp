@@ -28,8 +28,9 @@ constexpr int kHeldHairs = 20000;
 sim::StrandFrame stillFrame(sim::Simulation& simulation, double seconds)
 {
     simulation.setWind({});
-    for (double t = 0.0; t < seconds; t += 1.0 / 30.0)
-        simulation.advance(1.0 / 30.0);
+    constexpr double kFrameS = 1.0 / 30.0;
+    for (int frames = static_cast<int>(std::ceil(seconds / kFrameS)); frames > 0; --frames)
+        simulation.advance(kFrameS);
     sim::StrandFrame frame;
     simulation.writeFrame(frame);
     return frame;

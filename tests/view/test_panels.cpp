@@ -3,6 +3,7 @@
 
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
+#include "view/panels/group_settings_panel.h"
 #include "view/panels/hair_panel.h"
 #include "view/panels/layer_list.h"
 #include "view/panels/layers_panel.h"
@@ -140,11 +141,12 @@ private Q_SLOTS:
         auto* mode = *std::ranges::find_if(boxes, [](const QComboBox* box) { return box->isVisible(); });
         QTest::keyClick(mode, Qt::Key_Down);
         QVERIFY(f.scalp().settings.turnsMode == sim::TurnsMode::PerLength);
-        panel.findChild<QCheckBox*>()->click();
+        auto* stepped = panel.findChild<GroupSettingsPanel*>()->findChild<QCheckBox*>();
+        stepped->click();
         QVERIFY(f.scalp().settings.steppedTurns);
         QCOMPARE(f.steps(), 2);
         f.document.undo();
-        QVERIFY(!panel.findChild<QCheckBox*>()->isChecked());
+        QVERIFY(!stepped->isChecked());
     }
 
     void the_settings_used_most_come_first()

@@ -98,11 +98,7 @@ StatusReadout::StatusReadout(EditorState& state, QWidget* parent) : QWidget(pare
     connect(&m_message, &QTimer::timeout, this, &StatusReadout::follow);
     connect(&state.tools(), &ToolBox::activeChanged, this, &StatusReadout::follow);
     connect(&state.hover(), &Hover::changed, this, &StatusReadout::followHover);
-    connect(&state.target(), &EditTarget::changed, this, [this] {
-        followHover();
-        if (!m_message.isActive())
-            follow();
-    });
+    connect(&state.target(), &EditTarget::changed, this, &StatusReadout::followHover);
     connect(&state.target(), &EditTarget::changed, this, [this] {
         if (!m_message.isActive())
             follow();
@@ -182,21 +178,12 @@ void StatusReadout::showMessage(const QString& text, bool error, int millisecond
     m_message.start(milliseconds);
 }
 
-QString StatusReadout::hintText() const
-{
-    const model::Tool& tool = m_state.tools().active();
-    const bool touchesHair = m_state.tools().settings().touch != model::TouchKind::Skin;
-    if (tool.id() == model::ToolId::Brush && m_state.target().map() == model::MapKind::TipColour && touchesHair)
-        return tr("Drag over hanging hair: it takes the colour from where it is touched to its tips");
-    return tool.hintFor(m_state.tools().settings());
-}
-
 void StatusReadout::follow()
 {
     m_message.stop();
     m_errorIcon->hide();
     const QString revealed = revealedText(m_state);
-    const QString hint = hintText();
+    const QString hint = m_state.tools().active().hintFor(m_state.tools().settings());
     m_hint->setText(revealed.isEmpty() ? hint : tr("%1. Erasing %2").arg(hint, revealed));
     m_hint->setToolTip(m_hint->text());
 }

@@ -37,7 +37,6 @@ public:
     void showMessage(const QString& text, bool error = false, int milliseconds = 6000);
 
 private:
-    [[nodiscard]] QString hintText() const;
     void follow();
     void followHover();
 
