@@ -66,12 +66,8 @@ void HairOnHead::paintSide(QPainter& painter, const Side& side) const
 
 void HairOnHead::paintEvent(QPaintEvent* /*event*/)
 {
-    const Theme theme = Theme::current();
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(theme.line, 1.0));
-    painter.setBrush(theme.panel);
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), metrics::kRadius, metrics::kRadius);
+    paintPicturePanel(painter, rect());
     painter.setBrush(Qt::NoBrush);
     const double ratio = devicePixelRatioF();
     const QRectF inner = QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0);

@@ -4,6 +4,8 @@
 #include "view/look/theme.h"
 #include "view/widgets/colour_math.h"
 
+#include <QPainter>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -109,6 +111,15 @@ QImage meshPicture(const sim::HeadMesh& mesh, const MeshFraming& framing, QSize 
         fill(image, depths, corners, mixed(shadow, lit, 0.1 + 0.75 * std::clamp(light, 0.0, 1.0)).rgb());
     }
     return image;
+}
+
+void paintPicturePanel(QPainter& painter, const QRect& area)
+{
+    const Theme theme = Theme::current();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(theme.line, 1.0));
+    painter.setBrush(theme.panel);
+    painter.drawRoundedRect(QRectF(area).adjusted(0.5, 0.5, -0.5, -0.5), metrics::kRadius, metrics::kRadius);
 }
 
 } // namespace hairpaint::view

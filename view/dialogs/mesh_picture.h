@@ -8,6 +8,9 @@
 #include <QPointF>
 #include <QSize>
 
+class QPainter;
+class QRect;
+
 namespace hairpaint::view {
 
 /// How a mesh lies in a picture: seen from afar, so without perspective. Pixels have their origin at the top left.
@@ -29,5 +32,8 @@ struct MeshFraming
 /// Faces shaded by their slope, in the theme's colours; transparent around the mesh. Takes about 20 ns a triangle and
 /// 5 ns a pixel.
 [[nodiscard]] QImage meshPicture(const sim::HeadMesh& mesh, const MeshFraming& framing, QSize pixels);
+
+/// The panel on which such a picture lies, with its border.
+void paintPicturePanel(QPainter& painter, const QRect& area);
 
 } // namespace hairpaint::view

@@ -82,12 +82,8 @@ void MeshSilhouette::paintPerson(QPainter& painter, QPointF top, double pixelsPe
 
 void MeshSilhouette::paintEvent(QPaintEvent* /*event*/)
 {
-    const Theme theme = Theme::current();
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(theme.line, 1.0));
-    painter.setBrush(theme.panel);
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), metrics::kRadius, metrics::kRadius);
+    paintPicturePanel(painter, rect());
     const QSize pixels(static_cast<int>(width() * kMeshPart * devicePixelRatioF()),
                        static_cast<int>(height() * devicePixelRatioF()));
     if (m_picture.size() != pixels) {
