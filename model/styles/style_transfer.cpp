@@ -137,12 +137,40 @@ sim::TiledRaster carriedRaster(const sim::TiledRaster& raster, const MapSpec& sp
     return carried;
 }
 
-/// As many of what counts on the scalp.
+/// Root mean square of the landmarks' distances from their middle, m.
+float sizeOf(const sim::HeadLandmarks& landmarks)
+{
+    glm::vec3 middle(0.0F);
+    for (const glm::vec3& p : landmarks.positionsHd)
+        middle += p / static_cast<float>(sim::kHeadLandmarkCount);
+    float squares = 0.0F;
+    for (const glm::vec3& p : landmarks.positionsHd)
+        squares += glm::dot(p - middle, p - middle);
+    return std::sqrt(squares / static_cast<float>(sim::kHeadLandmarkCount));
+}
+
+/// How many times as large a head is; 1 where landmarks coincide or lie nowhere.
+float sizeRatio(const Head& from, const Head& to)
+{
+    constexpr float kSameSize = 0.03F; // Between grown-up heads lengths stay the round numbers that they are.
+    constexpr float kMostRatio = 2.0F; // What differs by more is no head, or in another unit.
+    const float ratio = sizeOf(*to.landmarks) / sizeOf(*from.landmarks);
+    if (!std::isfinite(ratio) || ratio <= 0.0F || std::abs(ratio - 1.0F) < kSameSize)
+        return 1.0F;
+    return std::clamp(ratio, 1.0F / kMostRatio, kMostRatio);
+}
+
+/// As many of what counts on the scalp, and hair that ends at the same landmarks.
 void carrySettings(sim::GroupSettings& settings, const Head& from, const Head& to)
 {
     for (const GroupSetting& row : groupSchema())
         if (row.countsOnScalp)
             row.writeShown(settings, row.shown(settings, from.scalpFraction), to.scalpFraction);
+    const float ratio = sizeRatio(from, to);
+    for (const char* key : {"greatest_length_m", "shortest_length_m"}) {
+        const GroupSetting& row = groupSetting(QLatin1StringView(key));
+        row.write(settings, std::clamp(row.read(settings) * static_cast<double>(ratio), row.least, row.greatest));
+    }
 }
 
 /// A head may come from two files. With its landmarks elsewhere it is another one.

@@ -228,6 +228,29 @@ private Q_SLOTS:
         QVERIFY(other * 20 < all); // A texel along the border.
     }
 
+    void hairIsAsLongAgainstTheOtherHead_data()
+    {
+        QTest::addColumn<bool>("scan");
+        QTest::addColumn<float>("least");
+        QTest::addColumn<float>("most");
+        QTest::newRow("a child's head") << false << 0.82F << 0.92F;
+        QTest::newRow("a scan") << true << 0.999F << 1.1F;
+    }
+    void hairIsAsLongAgainstTheOtherHead()
+    {
+        QFETCH(float, least);
+        QFETCH(float, most);
+        std::vector<HairGroup> groups = m_project.groups;
+        groups.front().settings.shortestLengthM = 0.1F * groups.front().settings.greatestLengthM;
+        const std::shared_ptr<const Head>& head = foreignHead().head;
+        const auto there = carriedGroups(groups, m_project.head, head);
+        const float lengthM = groups.front().settings.greatestLengthM;
+        const float thereM = there->front().settings.greatestLengthM;
+        QVERIFY2(thereM > least * lengthM && thereM < most * lengthM, qPrintable(QString::number(thereM / lengthM)));
+        QCOMPARE(there->front().settings.shortestLengthM, 0.1F * thereM);
+        QCOMPARE(carriedGroups(*there, head, m_project.head)->front().settings.greatestLengthM, lengthM);
+    }
+
     void whatIsEvenStaysEvenAndEveryLayerIsCarried()
     {
         Project project = newProject();

@@ -9,6 +9,7 @@
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
+#include <QLabel>
 #include <QUndoStack>
 
 using namespace hairpaint;
@@ -57,6 +58,7 @@ private Q_SLOTS:
         f.choose(1);
         QCOMPARE(f.state.options().chosenWorn(), f.ball(1).id);
         QVERIFY(f.colour().isVisible() && f.swatches()[1]->isChecked() && !f.swatches()[0]->isChecked());
+        QCOMPARE(f.panel.findChild<QLabel*>(QStringLiteral("wornName"))->text(), QStringLiteral("Ball"));
         f.choose(1);
         QVERIFY(f.swatches()[1]->isChecked());
         for (std::size_t i = 2; i-- > 0;)

@@ -14,8 +14,8 @@ namespace hairpaint::view {
 namespace {
 
 /// Columns: to the picture's right, up, toward the eye. The face looks along +z, the head's left is +x.
-const std::array<glm::mat3, 2> kSides{glm::mat3(1.0F),
-                                      glm::mat3({0.0F, 0.0F, -1.0F}, {0.0F, 1.0F, 0.0F}, {1.0F, 0.0F, 0.0F})};
+const std::array<glm::mat3, 2> kSeenFrom{glm::mat3(1.0F),
+                                         glm::mat3({0.0F, 0.0F, -1.0F}, {0.0F, 1.0F, 0.0F}, {1.0F, 0.0F, 0.0F})};
 constexpr float kHeadPart = 0.8F; ///< So that hair which stands or hangs has room.
 constexpr std::size_t kMostPoints = 24;
 
@@ -75,7 +75,7 @@ void HairOnHead::paintEvent(QPaintEvent* /*event*/)
     for (std::size_t i = 0; i < m_sides.size(); ++i) {
         Side& side = m_sides.at(i);
         if (side.head.size() != pixels) {
-            side.framing = MeshFraming::around(m_head, kSides.at(i), pixels);
+            side.framing = MeshFraming::around(m_head, kSeenFrom.at(i), pixels);
             side.framing.pixelsPerUnit *= kHeadPart;
             side.head = meshPicture(m_head, side.framing, pixels);
         }

@@ -27,6 +27,12 @@ constexpr double kMmPerM = 1000.0;
 constexpr double kLeastCoilMm = 10.0;
 constexpr double kGreatestCoilMm = 100.0;
 
+/// Name of the mesh that a user brought, or of the kind.
+QString titleOf(const model::Worn& worn)
+{
+    return worn.ownMesh.own != nullptr ? worn.ownMesh.own->name : model::wornText(wornSpec(worn.kind).title);
+}
+
 } // namespace
 
 WornPanel::WornPanel(EditorState& state, QWidget* parent)
@@ -44,6 +50,11 @@ WornPanel::WornPanel(EditorState& state, QWidget* parent)
     auto* controls = new QVBoxLayout(m_look);
     controls->setContentsMargins(0, 0, 0, 0);
     controls->setSpacing(metrics::kGrid);
+    m_name = new QLabel(m_look);
+    m_name->setObjectName(QStringLiteral("wornName"));
+    m_name->setTextFormat(Qt::PlainText);
+    m_name->setWordWrap(true);
+    controls->addWidget(m_name);
     auto* row = new QHBoxLayout;
     auto* label = new QLabel(tr("Colour"), m_look);
     label->setProperty("role", QStringLiteral("label"));
@@ -214,8 +225,7 @@ void WornPanel::followSwatches()
             m_swatches.push_back(made);
         }
         Swatch& swatch = *m_swatches[index];
-        const QString title = worn.ownMesh.own != nullptr ? worn.ownMesh.own->name : model::wornText(spec.title);
-        const QString name = tr("%1 %2").arg(title).arg(index + 1);
+        const QString name = tr("%1 %2").arg(titleOf(worn)).arg(index + 1);
         swatch.setColour(QColor::fromRgb(worn.colour));
         swatch.setToolTip(name);
         swatch.setAccessibleName(name);
@@ -241,6 +251,7 @@ void WornPanel::follow()
     m_look->setVisible(worn != nullptr);
     if (worn == nullptr)
         return;
+    m_name->setText(titleOf(*worn));
     const model::WornSpec& spec = wornSpec(worn->kind);
     m_colour->setColour(QColor::fromRgb(worn->colour));
     m_sheen->setDefaultValue(static_cast<double>(spec.sheen) * kWornPercent);

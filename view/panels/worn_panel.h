@@ -12,6 +12,7 @@
 class QCheckBox;
 class QComboBox;
 class QGridLayout;
+class QLabel;
 
 namespace hairpaint::view {
 
@@ -48,6 +49,7 @@ private:
     std::vector<model::Id> m_ids;    ///< Ids of the things whose swatches are shown.
     QWidget* m_look;                 ///< The controls of the chosen thing.
     Swatch* m_colour;
+    QLabel* m_name;    ///< The chosen one.
     QComboBox* m_make; ///< Shown for kinds that can be made of one thing or another.
     BarSlider* m_sheen;
     BarSlider* m_radius;

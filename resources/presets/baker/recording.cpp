@@ -23,7 +23,6 @@ constexpr int kMapSize = 512;
 constexpr float kMouseStepM = 0.004F;     ///< Distance of two events of a drag.
 constexpr float kLevelStepDegrees = 7.5F; ///< Angle between points along a height.
 constexpr float kOverStepM = 0.012F;      ///< Distance between points over the head.
-constexpr float kAxisForwardM = -0.010F;  ///< Where the axis is around which the head is looked at, forward.
 constexpr float kHighM = 0.5F;            ///< Height above everything.
 constexpr double kBetweenClicksSeconds = 2.0;
 

@@ -17,6 +17,9 @@ namespace hairpaint::presets {
 using model::MapKind;
 using model::PaintValue;
 
+/// Where the axis is around which Recording::around() looks at the head, forward of its middle.
+inline constexpr float kAxisForwardM = -0.010F;
+
 /// The ring of a brush or a comb.
 struct Ring
 {

@@ -12,8 +12,6 @@ namespace hairpaint::presets {
 
 namespace {
 
-constexpr float kAxisForwardM = -0.010F; ///< Where the axis of Recording::around() is, forward.
-
 /// Hair from the fringe's corner to the ear, up to the parting, cut to a line at the cheek.
 void cutSidelocks(Recording& user, float lineHeightM)
 {
