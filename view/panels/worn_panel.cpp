@@ -107,7 +107,7 @@ WornPanel::WornPanel(EditorState& state, QWidget* parent)
     bind(*m_radius, &model::WornSpec::sizeStep, [](model::Worn& worn, double value) {
         const model::WornSpec& spec = wornSpec(worn.kind);
         const float was = worn.shape.semiAxesM[spec.sizedAxis];
-        const float now = static_cast<float>(value / kMmPerM);
+        const auto now = static_cast<float>(value / kMmPerM);
         if (spec.handles == model::WornHandles::Axes)
             worn.shape.semiAxesM[spec.sizedAxis] = now;
         else
