@@ -91,11 +91,11 @@ void CutLengths::cut(std::span<const StrandCut> cuts, bool spares)
         const std::uint32_t root = m_rootOfSlot[one.slot];
         if (root == kNone || !(one.kept < m_kept[root]))
             continue;
-        if (m_kept[root] == 1.0F)
-            m_cutRoots.push_back(root);
         m_kept[root] = std::max(one.kept, 0.0F);
     }
-    std::ranges::sort(m_cutRoots);
+    for (std::uint32_t root = 0; root < m_kept.size(); ++root)
+        if (m_kept[root] < 1.0F)
+            m_cutRoots.push_back(root);
     findTiles();
     sim::parallelFor(m_works.size(), 1, [this](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -107,8 +107,10 @@ void CutLengths::cut(std::span<const StrandCut> cuts, bool spares)
     correct(spares);
     sim::parallelFor(m_works.size(), 8, [this](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel)
-                m_works[i].values[texel] = unit16(m_works[i].wanted[texel] / 65535.0F);
+            for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel) {
+                m_works[i].mask[texel] = m_works[i].texels[texel].mayChange ? 65535 : 0;
+                m_works[i].values[texel] = unit16(m_works[i].texels[texel].value / 65535.0F);
+            }
     });
 }
 
@@ -187,9 +189,7 @@ void CutLengths::divide(Work& work) const
 {
     const sim::TexelRect rect = m_shown->tileRect(work.tile);
     const std::vector<std::uint32_t>& owners = m_owners[static_cast<std::size_t>(work.tile)];
-    std::vector<float>& kept = work.wanted; // First of all.
-    kept.resize(sim::kTileTexels);
-    work.values.resize(sim::kTileTexels);
+    std::vector<float> kept(sim::kTileTexels);
     for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel)
         kept[texel] = owners[texel] == kNone ? 1.0F : m_kept[owners[texel]];
     const auto forRead = [&](std::uint32_t root, const auto& use) {
@@ -202,37 +202,33 @@ void CutLengths::divide(Work& work) const
                 use(static_cast<std::size_t>(y - rect.y0) * kTile + static_cast<std::size_t>(x - rect.x0));
         }
     };
+    const int across = m_shown->tilesAcross();
+    const bool hasLeft = work.tile % across > 0;
     for (const bool isCut : {true, false})
-        forTilesAround(work.tile, m_shown->tilesAcross(), [&](std::size_t from) {
-            for (std::uint32_t root = m_firstOfTile[from]; root < m_firstOfTile[from + 1]; ++root)
+        for (const int from : {work.tile, hasLeft ? work.tile - 1 : -1, work.tile - across,
+                               hasLeft ? work.tile - across - 1 : -1}) { // Whose roots read texels of this one.
+            if (from < 0)
+                continue;
+            const auto tile = static_cast<std::size_t>(from);
+            for (std::uint32_t root = m_firstOfTile[tile]; root < m_firstOfTile[tile + 1]; ++root)
                 if ((m_kept[root] < 1.0F) == isCut)
                     forRead(root, [&](std::size_t texel) {
                         kept[texel] = isCut ? std::min(kept[texel], m_kept[root]) : 1.0F;
                     });
-        });
-    std::size_t texel = 0;
-    for (int y = rect.y0; y < rect.y1; ++y)
-        for (int x = rect.x0; x < rect.x1; ++x, ++texel) {
-            const auto before = static_cast<float>(m_shown->texel(x, y)[0]);
-            work.mask[texel] = kept[texel] < 1.0F ? 65535 : 0;
-            work.wanted[texel] = kept[texel] < 1.0F ? cutValue(before, kept[texel]) : before;
         }
-}
-
-void CutLengths::findLeast()
-{
-    for (Work& work : m_works)
-        work.least.assign(sim::kTileTexels, 65535.0F);
-    const int last = m_shown->size() - 1;
-    for (const std::uint32_t root : m_cutRoots)
-        for (int k = 0; k < 4; ++k) {
-            const int x = std::min(m_roots[root].first.x + k % 2, last);
-            const int y = std::min(m_roots[root].first.y + k / 2, last);
-            const auto texel = static_cast<std::size_t>(y % kTile) * kTile + static_cast<std::size_t>(x % kTile);
-            float& least = m_works[workOf(m_shown->tileIndexAt(x, y))].least[texel];
-            const auto before = static_cast<float>(m_shown->texel(x, y)[0]);
-            least = std::min(least, kLeastOfWanted * cutValue(before, m_kept[root]));
-        }
+    const sim::RasterTile& shown = *m_shown->tile(work.tile);
+    const auto channels = static_cast<std::size_t>(m_shown->channels());
+    work.texels.resize(sim::kTileTexels);
+    work.values.resize(sim::kTileTexels);
+    for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel) {
+        const auto before = static_cast<float>(shown.isUniform() ? shown.uniform[0] : shown.pixels[texel * channels]);
+        const bool isCut = kept[texel] < 1.0F;
+        work.texels[texel] = {.value = isCut ? cutValue(before, kept[texel]) : before,
+                              .before = before,
+                              .least = before,
+                              .most = std::min(before * kMostOfBefore, 65535.0F),
+                              .mayChange = isCut};
+    }
 }
 
 LengthRead CutLengths::readAt(std::uint32_t root)
@@ -246,14 +242,11 @@ LengthRead CutLengths::readAt(std::uint32_t root)
         const int x = std::min(first.x + static_cast<int>(k % 2), last);
         const int y = std::min(first.y + static_cast<int>(k / 2), last);
         Work& work = m_works[workOf(m_shown->tileIndexAt(x, y))];
-        const std::size_t texel = static_cast<std::size_t>(y % kTile) * kTile + static_cast<std::size_t>(x % kTile);
-        read.texels[k] = &work.wanted[texel];
-        read.masks[k] = &work.mask[texel];
+        LengthTexel& texel =
+            work.texels[static_cast<std::size_t>(y % kTile) * kTile + static_cast<std::size_t>(x % kTile)];
+        read.texels[k] = &texel;
         read.weights[k] = (k % 2 == 0 ? 1.0F - fraction.x : fraction.x) * (k / 2 == 0 ? 1.0F - fraction.y : fraction.y);
-        const auto before = static_cast<float>(m_shown->texel(x, y)[0]);
-        read.least[k] = std::min(work.least[texel], before);
-        read.most[k] = std::min(before * kMostOfBefore, 65535.0F);
-        now += read.weights[k] * before;
+        now += read.weights[k] * texel.before;
     }
     read.wanted = cutValue(now, m_kept[root]);
     return read;
@@ -262,11 +255,13 @@ LengthRead CutLengths::readAt(std::uint32_t root)
 void CutLengths::correct(bool spares)
 {
     const float perM = 65535.0F / m_rangeM;
-    findLeast();
     std::vector<LengthRead> reads;
     reads.reserve(m_cutRoots.size());
-    for (const std::uint32_t root : m_cutRoots)
+    for (const std::uint32_t root : m_cutRoots) {
         reads.push_back(readAt(root));
+        for (LengthTexel* texel : reads.back().texels)
+            texel->least = std::min(texel->least, kLeastOfWanted * cutValue(texel->before, m_kept[root]));
+    }
     bringToWanted(reads, perM);
     constexpr int kRounds = 3; // Each may let more texels change.
     for (int round = 0; round < kRounds && !spares && releaseTooLong(reads, perM); ++round) {
@@ -284,16 +279,19 @@ std::vector<LengthRead> CutLengths::readsBeside()
         const int y = std::min(first.y + k / 2, last);
         const int work = m_workOfTile[static_cast<std::size_t>(m_shown->tileIndexAt(x, y))];
         const auto texel = static_cast<std::size_t>(y % kTile) * kTile + static_cast<std::size_t>(x % kTile);
-        return work >= 0 && m_works[static_cast<std::size_t>(work)].mask[texel] != 0;
+        return work >= 0 && m_works[static_cast<std::size_t>(work)].texels[texel].mayChange;
     };
     std::vector<LengthRead> reads;
     for (const int tile : m_tiles) // A cut root's tiles reach further than texels that it frees.
         for (std::uint32_t root = m_firstOfTile[static_cast<std::size_t>(tile)];
              root < m_firstOfTile[static_cast<std::size_t>(tile) + 1]; ++root) {
             const glm::ivec2 first = m_roots[root].first;
-            if (m_kept[root] == 1.0F &&
-                (changes(first, 0) || changes(first, 1) || changes(first, 2) || changes(first, 3)))
-                reads.push_back(readAt(root));
+            if (m_kept[root] < 1.0F ||
+                !(changes(first, 0) || changes(first, 1) || changes(first, 2) || changes(first, 3)))
+                continue;
+            reads.push_back(readAt(root));
+            for (LengthTexel* texel : reads.back().texels)
+                texel->isReadBeside = true;
         }
     return reads;
 }

@@ -56,8 +56,7 @@ private:
     struct Work
     {
         int tile = 0;
-        std::vector<float> wanted;     ///< [64][64], 0..65535.
-        std::vector<float> least = {}; ///< Lower limit on each texel's value, 0..65535.
+        std::vector<LengthTexel> texels; ///< [64][64]
         MaskTile mask{};
         std::vector<std::uint16_t> values = {};
     };
@@ -72,7 +71,6 @@ private:
     [[nodiscard]] LengthRead readAt(std::uint32_t root);
     void findOwners(int tile);
     void divide(Work& work) const;
-    void findLeast();
     void correct(bool spares);
     [[nodiscard]] std::vector<LengthRead> readsBeside();
 

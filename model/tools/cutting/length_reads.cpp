@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace hairpaint::model {
 
@@ -19,30 +20,36 @@ constexpr int kLastSweeps = 200;    ///< Uncut hairs have the last word; a few s
 /// Least sum of squared weights of a read's texels that may change; below it, the read is left alone.
 constexpr float kLeastSquares = 1e-3F;
 
-/// Shortens what is too long; returns the greatest excess before.
-float shorten(std::span<LengthRead> reads, float perM)
+bool isTooLong(const LengthRead& read, float perM)
 {
-    float worst = 0.0F;
-    for (LengthRead& read : reads) {
-        const float excess = read.value() - read.wanted;
-        worst = std::max(worst, excess);
-        if (excess > kTooLongM * perM)
-            read.move(-excess);
-    }
-    return worst;
+    return read.value() - read.wanted > kTooLongM * perM;
 }
 
-/// Brings back what is off by more than uncut hair may be; returns the greatest error before.
-float restore(std::span<LengthRead> beside, float perM)
+/// Shortens what is too long; returns whether anything was. What is short enough leaves the list, unless hair beside it
+/// can make it longer again.
+bool shorten(std::vector<LengthRead*>& longer, float perM)
 {
-    float worst = 0.0F;
+    bool any = false;
+    std::erase_if(longer, [&](LengthRead* read) {
+        if (!isTooLong(*read, perM))
+            return !read->isReadBeside();
+        any = true;
+        read->move(read->wanted - read->value());
+        return false;
+    });
+    return any;
+}
+
+/// Brings back what is off by more than uncut hair may be; returns whether a texel changed.
+bool restore(std::span<LengthRead> beside, float perM)
+{
+    bool changed = false;
     for (LengthRead& read : beside) {
         const float off = read.wanted - read.value();
-        worst = std::max(worst, std::abs(off));
         if (std::abs(off) > kOffM * perM)
-            read.move(off);
+            changed = read.move(off) || changed;
     }
-    return worst;
+    return changed;
 }
 
 } // namespace
@@ -51,20 +58,30 @@ float LengthRead::value() const
 {
     float sum = 0.0F;
     for (std::size_t k = 0; k < 4; ++k)
-        sum += weights[k] * *texels[k];
+        sum += weights[k] * texels[k]->value;
     return sum;
 }
 
-void LengthRead::move(float by)
+bool LengthRead::isReadBeside() const
+{
+    return std::ranges::any_of(texels, &LengthTexel::isReadBeside);
+}
+
+bool LengthRead::move(float by)
 {
     float squares = 0.0F;
     for (std::size_t k = 0; k < 4; ++k)
-        squares += *masks[k] != 0 ? weights[k] * weights[k] : 0.0F;
+        squares += texels[k]->mayChange ? weights[k] * weights[k] : 0.0F;
     if (squares < kLeastSquares)
-        return;
+        return false;
+    bool changed = false;
     for (std::size_t k = 0; k < 4; ++k)
-        if (*masks[k] != 0)
-            *texels[k] = std::clamp(*texels[k] + by * weights[k] / squares, least[k], most[k]);
+        if (LengthTexel& texel = *texels[k]; texel.mayChange) {
+            const float value = std::clamp(texel.value + by * weights[k] / squares, texel.least, texel.most);
+            changed = changed || value != texel.value;
+            texel.value = value;
+        }
+    return changed;
 }
 
 void bringToWanted(std::span<LengthRead> reads, float perM)
@@ -87,20 +104,24 @@ bool releaseTooLong(std::span<LengthRead> reads, float perM)
         const float excess = read.value() - read.wanted;
         worst = std::max(worst, excess);
         if (excess > kReleasedM * perM)
-            for (std::uint16_t* mask : read.masks)
-                *mask = 65535;
+            for (LengthTexel* texel : read.texels)
+                texel->mayChange = true;
     }
     return worst > kTooLongM * perM;
 }
 
 void shortenTooLong(std::span<LengthRead> reads, std::span<LengthRead> beside, float perM)
 {
+    std::vector<LengthRead*> longer; // Texels that no hair beside reads never become more.
+    for (LengthRead& read : reads)
+        if (read.isReadBeside() || isTooLong(read, perM))
+            longer.push_back(&read);
     for (int sweep = 0; sweep < kSparingSweeps; ++sweep) {
         restore(beside, perM);
-        if (shorten(reads, perM) <= kTooLongM * perM)
+        if (!shorten(longer, perM))
             break;
     }
-    for (int sweep = 0; sweep < kLastSweeps && restore(beside, perM) > kOffM * perM; ++sweep)
+    for (int sweep = 0; sweep < kLastSweeps && restore(beside, perM); ++sweep)
         ;
 }
 

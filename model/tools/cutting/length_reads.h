@@ -7,18 +7,27 @@
 
 namespace hairpaint::model {
 
-/// The four texels that the map is interpolated from at a root. Values are 0..65535, as floats.
+/// A texel that is read at one root or more. Values are 0..65535.
+struct LengthTexel
+{
+    float value = 0.0F;
+    float before = 0.0F;             ///< Its value before the cut.
+    float least = 0.0F, most = 0.0F; ///< Range of its value.
+    bool mayChange = false;
+    bool isReadBeside = false; ///< Whether a root that is not cut reads it, too.
+};
+
+/// The four texels that the map is interpolated from at a root.
 struct LengthRead
 {
-    std::array<float*, 4> texels{};
-    std::array<std::uint16_t*, 4> masks{}; ///< 0: the texel may not change.
+    std::array<LengthTexel*, 4> texels{};
     std::array<float, 4> weights{};
-    std::array<float, 4> least{}, most{}; ///< Range of each texel's value.
-    float wanted = 0.0F;
+    float wanted = 0.0F; ///< 0..65535
 
     [[nodiscard]] float value() const;
-    /// Changes value() by `by`, with the least change of the texels, as far as they may change.
-    void move(float by);
+    [[nodiscard]] bool isReadBeside() const;
+    /// Changes value() by `by`, with the least change of the texels, as far as they may change; false where none can.
+    bool move(float by);
 };
 
 /// S. Kaczmarz, Angenaeherte Aufloesung von Systemen linearer Gleichungen, 1937: each root in turn moves the texels
@@ -27,7 +36,7 @@ void bringToWanted(std::span<LengthRead> reads, float perM);
 /// Tells whether something is longer than wanted; all texels of what is longer by 5 mm may change from here on.
 [[nodiscard]] bool releaseTooLong(std::span<LengthRead> reads, float perM);
 /// Shortens what is longer than wanted, as far as `beside`, reads that should stay as they are, change by no more than
-/// a millimetre.
+/// a millimetre. Every texel of `beside` says that it is read beside.
 void shortenTooLong(std::span<LengthRead> reads, std::span<LengthRead> beside, float perM);
 
 } // namespace hairpaint::model

@@ -9,6 +9,7 @@
 #include "model/tools/strokes/seen_hair.h"
 #include "model/tools/tool_list.h"
 #include "sim/base/deterministic.h"
+#include "sim/base/parallel.h"
 
 #include <QLineF>
 
@@ -248,16 +249,23 @@ void ScissorsTool::mirror(std::vector<StrandCut>& cuts) const
 /// From fractions of the hair that was seen to such of the hair that the maps now tell: it may have been cut since.
 void ScissorsTool::takePresent(std::vector<StrandCut>& cuts)
 {
+    constexpr std::size_t kCutsATask = 512;
     const sim::Groom& groom = *m_seen->hair()->groom;
-    std::erase_if(cuts, [&](StrandCut& one) {
+    std::erase_if(cuts, [&](const StrandCut& one) {
         const sim::StrandStyle& seen = groom.style(one.slot);
-        const bool isBraided = seen.braid != sim::BraidKind::None;
         float& presentM = m_presentM[one.slot];
         if (presentM < 0.0F)
-            presentM = isBraided ? seen.lengthM : m_present->at(one.slot);
-        const float keptM = one.kept * seen.lengthM;
-        one.kept = isBraided ? keptM / std::max(presentM, kSameM) : m_present->keptFor(one.slot, keptM);
-        return keptM > presentM - kSameM;
+            presentM = seen.braid != sim::BraidKind::None ? seen.lengthM : m_present->at(one.slot);
+        return one.kept * seen.lengthM > presentM - kSameM;
+    });
+    sim::parallelFor(cuts.size(), kCutsATask, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            StrandCut& one = cuts[i];
+            const sim::StrandStyle& seen = groom.style(one.slot);
+            const float keptM = one.kept * seen.lengthM;
+            one.kept = seen.braid != sim::BraidKind::None ? keptM / std::max(m_presentM[one.slot], kSameM)
+                                                          : m_present->keptFor(one.slot, keptM);
+        }
     });
 }
 
