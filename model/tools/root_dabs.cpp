@@ -50,6 +50,7 @@ std::vector<RootDab> RootDabs::moveTo(const OverHair& hair, const ToolContext& c
     if (context.seen == nullptr || context.seen->hair() == nullptr || head == nullptr || head->skin == nullptr)
         return {};
     const float detail = context.seen->hair()->detail;
+    const sim::RootSet& roots = *context.seen->hair()->groom->roots;
     if (shape.fractions)
         m_fractions.resize(m_strengths.size(), 1.0F);
     std::vector<RootDab> dabs;
@@ -63,17 +64,18 @@ std::vector<RootDab> RootDabs::moveTo(const OverHair& hair, const ToolContext& c
         m_strengths[strand.slot] = std::max(m_strengths[strand.slot], strength);
         if (isNearer)
             m_fractions[strand.slot] = strand.firstFraction;
-        const float radiusM = std::min(kRadiusOfSpacing * spacingM(strand.root.uv, detail), kWidestM);
+        const float radiusM = std::min(kRadiusOfSpacing * spacingM(strand.rootUv, detail), kWidestM);
+        const sim::SurfacePoint root = roots.surfacePoint(strand.slot);
         RootDab& one =
-            dabs.emplace_back(RootDab{.dab = dabAt(SkinMetric::at(strand.root), strand.root.uv, radiusM, m_mapSize),
-                                      .root = strand.root,
+            dabs.emplace_back(RootDab{.dab = dabAt(SkinMetric::at(root), root.uv, radiusM, m_mapSize),
+                                      .root = root,
                                       .seenHd = strand.positionHd,
                                       .fraction = shape.fractions ? m_fractions[strand.slot] : strand.firstFraction});
         one.dab.strength = strength;
         if (!context.mirror)
             continue;
         if (shape.twinRoots || !head->builtIn)
-            one.twinRoot = head->skin->mirrored(strand.root);
+            one.twinRoot = head->skin->mirrored(root);
         if (head->builtIn)
             one.twin = mirroredInU(one.dab, m_mapSize);
         else if (one.twinRoot)

@@ -228,6 +228,24 @@ void orderChunksByRank(RootSet& roots)
 
 } // namespace
 
+SurfacePoint RootSet::surfacePoint(std::uint32_t slot) const
+{
+    const HeadMesh& mesh = skin->mesh();
+    const glm::uvec3 corners = mesh.triangles[face[slot]];
+    const glm::vec2 a = mesh.uvs[corners.x];
+    const glm::vec2 ab = mesh.uvs[corners.y] - a;
+    const glm::vec2 ac = mesh.uvs[corners.z] - a;
+    const glm::vec2 at = uv[slot] - a;
+    const float area = ab.x * ac.y - ab.y * ac.x;
+    glm::vec3 barycentric(1.0F, 0.0F, 0.0F);
+    if (std::abs(area) > 0.0F) {
+        barycentric.y = (at.x * ac.y - at.y * ac.x) / area;
+        barycentric.z = (ab.x * at.y - ab.y * at.x) / area;
+        barycentric.x = 1.0F - barycentric.y - barycentric.z;
+    }
+    return skin->at(face[slot], barycentric);
+}
+
 std::shared_ptr<const RootSet> buildRoots(std::shared_ptr<const Skin> skin, std::size_t count, std::size_t basisCount,
                                           std::uint64_t seed)
 {

@@ -47,6 +47,8 @@ struct RootSet
         const glm::vec3 side = glm::cross(normalHd[slot], tangentHd[slot]);
         return {.x = tangentHd[slot], .y = mirrored[slot] != 0 ? -side : side, .normal = normalHd[slot]};
     }
+    /// The point of the skin where a hair has its root.
+    [[nodiscard]] SurfacePoint surfacePoint(std::uint32_t slot) const;
     [[nodiscard]] float threshold(std::uint32_t slot) const
     {
         return (static_cast<float>(rankOfSlot[slot]) + 0.5F) / static_cast<float>(count());

@@ -74,7 +74,7 @@ private Q_SLOTS:
             const auto isRoot = [&](glm::vec2 at) {
                 const auto point = skin->atUv(at);
                 return point && std::ranges::any_of(passed, [&](const model::SeenStrand& one) {
-                           return glm::distance(one.root.positionHd, point->positionHd) < 0.006F;
+                           return glm::distance(one.rootHd, point->positionHd) < 0.006F;
                        });
             };
             strange += isRoot(uv) || (mirrored && isRoot({1.0F - uv.x, uv.y})) ? 0 : 1;
@@ -97,7 +97,7 @@ private Q_SLOTS:
         const auto before = map(MapKind::Direction);
         strokeTo(m_at + QPoint(20, 0));
         const auto after = map(MapKind::Direction);
-        QVERIFY(after->sampleNearest(strand.root.uv) != before->sampleNearest(strand.root.uv));
+        QVERIFY(after->sampleNearest(strand.rootUv) != before->sampleNearest(strand.rootUv));
         QCOMPARE(after->sampleNearest(below), before->sampleNearest(below));
         session().document().undo();
         QVERIFY(differing(*before, *map(MapKind::Direction)).empty());
@@ -164,9 +164,9 @@ private Q_SLOTS:
         if (touch == TouchKind::Hair) {
             QVERIFY(!strands.empty());
             const auto turned = std::ranges::count_if(strands, [&](const model::SeenStrand& one) {
-                return is->sampleNearest(one.root.uv) != was->sampleNearest(one.root.uv) &&
+                return is->sampleNearest(one.rootUv) != was->sampleNearest(one.rootUv) &&
                        (!mirrored ||
-                        is->sampleNearest(otherSide(one.root.uv)) != was->sampleNearest(otherSide(one.root.uv)));
+                        is->sampleNearest(otherSide(one.rootUv)) != was->sampleNearest(otherSide(one.rootUv)));
             });
             // What is even stays.
             QVERIFY2((kind == Smooth ? 10U : 2U) * static_cast<std::size_t>(turned) > strands.size(),
@@ -175,7 +175,7 @@ private Q_SLOTS:
         const auto flatness = [&](const sim::TiledRaster& direction, glm::vec2 uv) {
             return glm::length(sim::directionOf(direction.sampleNearest(uv)));
         };
-        const glm::vec2 there = touch == TouchKind::Hair ? strands.front().root.uv : below;
+        const glm::vec2 there = touch == TouchKind::Hair ? strands.front().rootUv : below;
         if (kind == Puff)
             QVERIFY(flatness(*is, there) < 0.8F * flatness(*was, there));
         if (kind == Pinch)
@@ -294,7 +294,7 @@ private Q_SLOTS:
         editor().target().setMap(MapKind::Length);
         setTools(model::ToolId::Brush, TouchKind::Hair);
         const auto strands = seenHair()->under(m_at, 4.0);
-        const glm::vec2 root = std::ranges::min_element(strands, {}, &model::SeenStrand::apart)->root.uv;
+        const glm::vec2 root = std::ranges::min_element(strands, {}, &model::SeenStrand::apart)->rootUv;
         QTest::mouseClick(m_head, Qt::LeftButton, Qt::ControlModifier, m_at);
         const float expected = static_cast<float>(map(MapKind::Length)->sampleNearest(root)[0]) / 65535.0F;
         QVERIFY(expected > 0.1F);

@@ -79,13 +79,13 @@ private Q_SLOTS:
         } else {
             QVERIFY(!strands.empty());
             const auto changed =
-                std::ranges::count_if(strands, [&](const model::SeenStrand& one) { return differs(one.root.uv); });
+                std::ranges::count_if(strands, [&](const model::SeenStrand& one) { return differs(one.rootUv); });
             // Where a hair at the parting is mirrored to, the stroke is too.
             std::vector<model::SeenStrand> aside = strands;
-            std::erase_if(aside, [](const model::SeenStrand& one) { return std::abs(one.root.positionHd.x) < 0.005F; });
+            std::erase_if(aside, [](const model::SeenStrand& one) { return std::abs(one.rootHd.x) < 0.005F; });
             QVERIFY(!aside.empty());
             const auto mirroredToo = static_cast<std::size_t>(std::ranges::count_if(
-                aside, [&](const model::SeenStrand& one) { return differs(otherSide(one.root.uv)); }));
+                aside, [&](const model::SeenStrand& one) { return differs(otherSide(one.rootUv)); }));
             const auto most = static_cast<std::ptrdiff_t>(strands.size() / 2);
             QVERIFY2(changed > most, qPrintable(QStringLiteral("%1 of %2").arg(changed).arg(strands.size())));
             QVERIFY(mirrored ? 2 * mirroredToo > aside.size() : 2 * mirroredToo < aside.size());
@@ -108,7 +108,7 @@ private Q_SLOTS:
         std::size_t begin = 0;
         for (const model::SeenStrand& one : strands)
             begin +=
-                std::abs(map(MapKind::TipStart)->sampleNearest(one.root.uv)[0] / 65535.0F - one.firstFraction) < 0.05F
+                std::abs(map(MapKind::TipStart)->sampleNearest(one.rootUv)[0] / 65535.0F - one.firstFraction) < 0.05F
                     ? 1
                     : 0;
         QVERIFY2(10 * begin > 8 * strands.size(),

@@ -27,7 +27,7 @@ public:
         const sim::GroupFrame& group = m_frame->groups.front();
         for (std::uint32_t slot = 0; slot < group.groom->roots->count(); ++slot)
             if (group.isPositioned(slot))
-                m_met.push_back({.root = {}, .lengthM = 1.0F, .slot = slot});
+                m_met.push_back({.lengthM = 1.0F, .slot = slot});
         positioned = m_met.size();
         const std::vector<glm::vec3>& roots = group.groom->roots->positionHd;
         std::ranges::sort(m_met, std::greater(), [&](const model::SeenStrand& one) { return roots[one.slot].z; });

@@ -87,7 +87,8 @@ public:
                 std::ranges::find_if(points, [&](glm::vec3 point) { return apartPx(seen(point)) <= radiusPx; });
             const sim::RootSet& roots = *hair.groom->roots;
             met.push_back(
-                {.root = roots.skin->nearest(roots.positionHd[slot]),
+                {.rootUv = roots.uv[slot],
+                 .rootHd = roots.positionHd[slot],
                  .positionHd = *nearest,
                  .fraction = static_cast<float>(nearest - points.begin()) / static_cast<float>(points.size() - 1),
                  .firstFraction = static_cast<float>(first - points.begin()) / static_cast<float>(points.size() - 1),
@@ -130,7 +131,7 @@ private:
             if (!hair.isPositioned(slot) || (!throughSkin && hair.groom->roots->positionHd[slot].x < 0.0F))
                 continue;
             const std::vector<glm::vec3> points = drawnPoints(hair, slot);
-            model::SeenStrand strand{.root = {}, .slot = slot};
+            model::SeenStrand strand{.slot = slot};
             bool found = false;
             for (std::size_t i = 1; i < points.size(); ++i) {
                 const float stepM = glm::distance(points[i - 1], points[i]);

@@ -121,7 +121,7 @@ private Q_SLOTS:
             QVERIFY(strand.alongM >= 0.0F && strand.alongM <= strand.lengthM);
             QVERIFY(strand.fraction >= 0.0F && strand.fraction <= 1.0F);
             const glm::vec3 rootHd = f.hair().groom->roots->positionHd[strand.slot];
-            QVERIFY(glm::distance(strand.root.positionHd, rootHd) < 1e-4F);
+            QVERIFY(glm::distance(strand.rootHd, rootHd) < 1e-4F);
         }
     }
 
@@ -224,7 +224,7 @@ private Q_SLOTS:
             QCOMPARE(slotsOf(other), slotsOf(answers.front()));
             for (std::size_t i = 0; i < other.size(); ++i) {
                 QVERIFY(other[i].positionHd == answers.front()[i].positionHd);
-                QVERIFY(other[i].root.positionHd == answers.front()[i].root.positionHd);
+                QVERIFY(other[i].rootHd == answers.front()[i].rootHd);
                 QCOMPARE(other[i].alongM, answers.front()[i].alongM);
                 QCOMPARE(other[i].apart, answers.front()[i].apart);
             }

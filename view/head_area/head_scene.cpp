@@ -219,7 +219,9 @@ std::optional<model::OverHair> HeadScene::overHair(QPointF position, const std::
         return model::OverHair{.position = position,
                                .pxPerM = lens.pxPerM(lens.seen(inWorld(positionHd, shownPose())).z),
                                .positionHd = positionHd,
-                               .root = nearest != strands.end() ? std::optional(nearest->root) : std::nullopt};
+                               .root = nearest != strands.end()
+                                           ? std::optional(m_seen.hair()->groom->roots->surfacePoint(nearest->slot))
+                                           : std::nullopt};
     };
     // Between strands a stroke goes on.
     if (began && settings.touch == model::TouchKind::Hair)
@@ -230,7 +232,7 @@ std::optional<model::OverHair> HeadScene::overHair(QPointF position, const std::
         const std::optional<sim::SurfacePoint> skin = skinAt(position);
         const float ownM = std::max(kOwnHairM, settings.brushSizeM / 2.0F);
         const auto hanging = std::ranges::count_if(strands, [&](const model::SeenStrand& one) {
-            return !skin || glm::distance(one.root.positionHd, skin->positionHd) > ownM;
+            return !skin || glm::distance(one.rootHd, skin->positionHd) > ownM;
         });
         if (2 * static_cast<std::size_t>(hanging) <= strands.size())
             return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include "sim/base/parallel.h"
 #include "view/picking/block_kernel.h"
+#include "view/picking/picture_hair.h"
 
 #include <algorithm>
 #include <bit>
@@ -26,22 +27,26 @@ constexpr float kBesideBrushPx = 8.0F;
 
 std::vector<NearBlock> blocksNear(const HairBoxes& boxes, const PictureBox& box)
 {
-    std::vector<NearBlock> blocks;
-    for (std::size_t i = 0; i < boxes.blocks.size(); ++i) {
-        if (!boxes.wholes[i].meets(box))
-            continue;
-        NearBlock block{.depthM = kNoLimitM, .index = static_cast<std::uint32_t>(i), .spans = 0};
-        for (std::size_t span = 0; span < boxes.spans; ++span) {
-            const std::size_t at = i * boxes.spans + span;
-            if (!boxes.boxes[at].meets(box))
+    constexpr std::size_t kBlocksATask = 1024;
+    std::vector<std::vector<NearBlock>> near((boxes.blocks.size() + kBlocksATask - 1) / kBlocksATask);
+    sim::parallelFor(near.size(), 1, [&](std::size_t begin, std::size_t end) {
+        const std::size_t until = std::min(end * kBlocksATask, boxes.blocks.size());
+        for (std::size_t i = begin * kBlocksATask; i < until; ++i) {
+            if (!boxes.wholes[i].meets(box))
                 continue;
-            block.depthM = std::min(block.depthM, boxes.nearestM[at]);
-            block.spans |= 1U << span;
+            NearBlock block{.depthM = kNoLimitM, .index = static_cast<std::uint32_t>(i), .spans = 0};
+            for (std::size_t span = 0; span < boxes.spans; ++span) {
+                const std::size_t at = i * boxes.spans + span;
+                if (!boxes.boxes[at].meets(box))
+                    continue;
+                block.depthM = std::min(block.depthM, boxes.nearestM[at]);
+                block.spans |= 1U << span;
+            }
+            if (block.depthM < kNoLimitM)
+                near[i / kBlocksATask].push_back(block);
         }
-        if (block.depthM < kNoLimitM)
-            blocks.push_back(block);
-    }
-    return blocks;
+    });
+    return joined(near);
 }
 
 void addBlock(const PictureHair& picture, const BlockQuestion& question, BlockAnswer& answer, FrontHair& front)

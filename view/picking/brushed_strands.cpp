@@ -38,7 +38,8 @@ SeenStrand strandAt(const PictureHair& picture, const TouchedStrand& touched, co
     const auto segments = static_cast<float>(groom.nodes - 1);
     const float fraction = (static_cast<float>(touched.node - 1) + touched.fraction) / segments;
     const float lengthM = groom.style(touched.slot).lengthM;
-    return {.root = picture.rootOf(touched.slot),
+    return {.rootUv = groom.roots->uv[touched.slot],
+            .rootHd = groom.roots->positionHd[touched.slot],
             .positionHd = picture.inHead(from + (to - from) * touched.fraction),
             .alongM = lengthM * fraction,
             .lengthM = lengthM,

@@ -95,7 +95,7 @@ std::optional<model::GrabbedHair> hairNear(QPointF position, const sim::StrandFr
     hair.alongM = std::max(hair.alongM + glm::length(segment) * best.fraction, 1e-4F);
     const glm::vec3 positionWo = nodes[best.segment - 1] + segment * best.fraction;
     hair.positionHd = glm::conjugate(frame.pose.rotation) * (positionWo - frame.pose.positionWo);
-    hair.root = rootOf(*groom.roots, static_cast<std::uint32_t>(best.slot));
+    hair.root = groom.roots->surfacePoint(static_cast<std::uint32_t>(best.slot));
     return hair;
 }
 

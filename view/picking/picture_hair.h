@@ -21,7 +21,6 @@ struct PictureHair
 
     /// The drawn curve of a positioned hair: Wo, root first.
     void drawnCurve(std::uint32_t slot, std::vector<glm::vec3>& points) const;
-    [[nodiscard]] sim::SurfacePoint rootOf(std::uint32_t slot) const;
     /// A block of the boxes' and its strands, and nowhere to look yet.
     [[nodiscard]] BlockQuestion questionOf(std::size_t block) const
     {
@@ -39,9 +38,6 @@ struct PictureHair
         return glm::conjugate(pose.rotation) * (positionWo - pose.positionWo);
     }
 };
-
-/// The point of the skin where a hair has its root.
-[[nodiscard]] sim::SurfacePoint rootOf(const sim::RootSet& roots, std::uint32_t slot);
 
 /// Tasks whose number does not depend on that of the threads, and what each found, put together in their order.
 template<class T>

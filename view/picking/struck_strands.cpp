@@ -79,7 +79,8 @@ public:
         }
         for (std::size_t i = 0; i < slots.size(); ++i)
             if (m_met[i])
-                met.push_back({.root = m_picture.rootOf(slots[i]),
+                met.push_back({.rootUv = groom.roots->uv[slots[i]],
+                               .rootHd = groom.roots->positionHd[slots[i]],
                                .positionHd = m_picture.inHead(m_met[i]->positionWo),
                                .alongM = m_met[i]->alongM,
                                .lengthM = m_met[i]->lengthM,

@@ -139,7 +139,7 @@ private:
 
     LiveEdit m_edit; ///< Edits the length layer.
     std::shared_ptr<const SeenHair> m_seen;
-    std::vector<std::uint32_t> m_mirrored;  ///< mirroredRoots(); empty where no other side is cut.
+    std::optional<MirroredRoots> m_mirrored; ///< None where no other side is cut.
     std::optional<StrandLengths> m_present; ///< Lengths of hair before this cut.
     std::vector<float> m_presentM;          ///< By slot: the length that m_present gave; below 0 until it is asked for.
     std::optional<CutLengths> m_lengths;
@@ -169,7 +169,7 @@ void ScissorsTool::pressPicture(const PictureEvent& event, ToolContext& context)
     m_lengths.emplace(*hair, std::move(length));
     m_tips = CutTips::in(m_edit, context);
     if (context.mirror)
-        m_mirrored = mirroredRoots(*hair);
+        m_mirrored.emplace(*hair);
 }
 
 void ScissorsTool::movePicture(const PictureEvent& event, ToolContext& context)
@@ -180,7 +180,7 @@ void ScissorsTool::movePicture(const PictureEvent& event, ToolContext& context)
     if (!m_lengths)
         return;
     std::vector<StrandCut> found = cuts(context.settings);
-    if (!m_mirrored.empty())
+    if (m_mirrored)
         mirror(found);
     m_cuts = found;
     takePresent(found);
@@ -233,16 +233,11 @@ std::vector<StrandCut> ScissorsTool::cuts(const ToolSettings& settings) const
 void ScissorsTool::mirror(std::vector<StrandCut>& cuts) const
 {
     const sim::Groom& groom = *m_seen->hair()->groom;
-    std::vector<float> keptM(m_mirrored.size(), -1.0F);
-    for (const StrandCut& one : cuts)
-        keptM[one.slot] = one.kept * groom.style(one.slot).lengthM;
-    for (std::uint32_t slot = 0; slot < m_mirrored.size(); ++slot) {
-        const std::uint32_t other = m_mirrored[slot];
-        if (other == kNoMirroredRoot || keptM[other] < 0.0F)
-            continue;
-        const float lengthM = groom.style(slot).lengthM;
-        if (keptM[other] < lengthM)
-            cuts.push_back({.slot = slot, .kept = keptM[other] / lengthM});
+    for (std::size_t i = 0, drawn = cuts.size(); i < drawn; ++i) {
+        const float keptM = cuts[i].kept * groom.style(cuts[i].slot).lengthM;
+        for (const std::uint32_t slot : m_mirrored->of(cuts[i].slot))
+            if (const float lengthM = groom.style(slot).lengthM; keptM < lengthM)
+                cuts.push_back({.slot = slot, .kept = keptM / lengthM});
     }
 }
 
@@ -286,7 +281,7 @@ void ScissorsTool::drop()
     m_present.reset();
     m_lengths.reset();
     m_tips.reset();
-    m_mirrored.clear();
+    m_mirrored.reset();
     m_cuts.clear();
     m_line.clear();
 }

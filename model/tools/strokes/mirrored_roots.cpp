@@ -18,6 +18,8 @@ constexpr float kNearM = 0.005F;
 constexpr float kSpacings = 3.0F; ///< Where hair is sparse roots are that near, at most.
 constexpr int kMostCells = 64;    ///< Along an axis.
 
+constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
 /// Cells over all roots.
 struct RootCells
 {
@@ -72,12 +74,11 @@ struct RootCells
     }
 };
 
-} // namespace
-
-std::vector<std::uint32_t> mirroredRoots(const sim::GroupFrame& hair)
+/// By slot: the slot that it goes with, or kNone.
+std::vector<std::uint32_t> nearestToReflections(const sim::GroupFrame& hair)
 {
     const std::vector<glm::vec3>& positions = hair.groom->roots->positionHd;
-    std::vector<std::uint32_t> mirrored(positions.size(), kNoMirroredRoot);
+    std::vector<std::uint32_t> mirrored(positions.size(), kNone);
     const RootCells cells(hair);
     sim::parallelFor(positions.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t slot = begin; slot < end; ++slot) {
@@ -103,6 +104,23 @@ std::vector<std::uint32_t> mirroredRoots(const sim::GroupFrame& hair)
         }
     });
     return mirrored;
+}
+
+} // namespace
+
+MirroredRoots::MirroredRoots(const sim::GroupFrame& hair)
+{
+    const std::vector<std::uint32_t> nearest = nearestToReflections(hair);
+    m_first.assign(nearest.size() + 1, 0);
+    for (const std::uint32_t with : nearest)
+        if (with != kNone)
+            ++m_first[with + 1];
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    m_slots.resize(m_first.back());
+    std::vector<std::uint32_t> next(m_first.begin(), m_first.end() - 1);
+    for (std::uint32_t slot = 0; slot < nearest.size(); ++slot)
+        if (nearest[slot] != kNone)
+            m_slots[next[nearest[slot]]++] = slot;
 }
 
 } // namespace hairpaint::model

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "sim/motion/strand_frame.h"
-#include "sim/skin/skin.h"
 
 #include <QPointF>
 #include <QPolygonF>
@@ -17,7 +16,8 @@ namespace hairpaint::model {
 /// A strand of the picture that a question met.
 struct SeenStrand
 {
-    sim::SurfacePoint root;
+    glm::vec2 rootUv{0.0F};
+    glm::vec3 rootHd{0.0F};
     glm::vec3 positionHd{0.0F}; ///< Point of the strand that was met.
     float alongM = 0.0F;        ///< Distance of that point from the root along the drawn hair.
     float lengthM = 0.0F;       ///< Length of the drawn hair.
