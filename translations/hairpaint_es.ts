@@ -179,8 +179,8 @@
         <translation>como JSON, para scripts</translation>
     </message>
     <message>
-        <source>how long the hair falls first; 0 is the shape it was given</source>
-        <translation>cuánto cae antes el pelo; 0 es la forma que se le dio</translation>
+        <source>how long the hair falls first; 0 is the shape it was given; %1 unless given</source>
+        <translation>cuánto cae antes el pelo; 0 es la forma que se le dio; %1 si no se da</translation>
     </message>
     <message>
         <source>only so many of the hairs that are there, an even share</source>

@@ -23,8 +23,9 @@ CommandOption projectOutput()
 
 CommandOption settleOption(double standard)
 {
-    CommandOption option{QStringLiteral("--settle SECONDS"),
-                         CommandLine::tr("how long the hair falls first; 0 is the shape it was given")};
+    CommandOption option{
+        QStringLiteral("--settle SECONDS"),
+        CommandLine::tr("how long the hair falls first; 0 is the shape it was given; %1 unless given").arg(standard)};
     option.number = {.least = 0.0, .greatest = 60.0, .standard = standard};
     return option;
 }

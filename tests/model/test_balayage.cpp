@@ -86,11 +86,11 @@ struct Colourist : Studio
     }
     [[nodiscard]] sim::Texel tipOf(const SeenStrand& strand)
     {
-        return shownMap(MapKind::TipColour)->sampleNearest(strand.root.uv);
+        return shownMap(MapKind::TipColour)->sampleNearest(strand.rootUv);
     }
     [[nodiscard]] float startOf(const SeenStrand& strand)
     {
-        return shownMap(MapKind::TipStart)->sampleScalar(strand.root.uv);
+        return shownMap(MapKind::TipStart)->sampleScalar(strand.rootUv);
     }
 
     LiveHair live;
@@ -171,7 +171,7 @@ private Q_SLOTS:
         colourist.settings.brushSizeM = 0.03F;
         colourist.touch({kFar, kNear}, ToolId::Eraser);
         for (const SeenStrand& strand : colourist.under(kNear)) {
-            QCOMPARE(colourist.tipOf(strand), tips->sampleNearest(strand.root.uv));
+            QCOMPARE(colourist.tipOf(strand), tips->sampleNearest(strand.rootUv));
             QCOMPARE(colourist.startOf(strand), 0.0F);
         }
         colourist.document.undo();
@@ -188,7 +188,7 @@ private Q_SLOTS:
         colourist.touch({kFar});
         std::size_t mirrored = 0;
         for (const SeenStrand& strand : colourist.under(kFar)) {
-            const glm::vec2 other(1.0F - strand.root.uv.x, strand.root.uv.y);
+            const glm::vec2 other(1.0F - strand.rootUv.x, strand.rootUv.y);
             QCOMPARE(colourist.shownMap(MapKind::TipColour)->sampleNearest(other), kYellow);
             mirrored += colourist.shownMap(MapKind::TipStart)->sampleScalar(other) > 0.5F ? 1 : 0;
         }

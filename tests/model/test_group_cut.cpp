@@ -170,6 +170,28 @@ private Q_SLOTS:
         QVERIFY2(off * 50 < below, qPrintable(QStringLiteral("%1 of %2").arg(off).arg(below)));
     }
 
+    /// Baby hairs hang nowhere near the line, but among roots of hair that does.
+    void noLongHairIsLeftAmongBabyHairs()
+    {
+        constexpr int kDense = 100000;
+        constexpr float kLevelM = -0.1F;
+        constexpr float kTooLongM = 0.02F;
+        Salon salon(wearing(QStringLiteral("Long straight"), kDense));
+        QVERIFY(salon.was().groom->settings.hairline.baby > 0.0F);
+        ToolContext context = salon.context();
+        GroupCut cut(context, salon.before, QStringLiteral("Cut"));
+        cut.toLevel(kLevelM);
+        cut.commit();
+        std::size_t tooLong = 0;
+        salon.forEachHair([&](std::uint32_t slot, float lengthM, float isM) {
+            const std::vector<glm::vec3> points = drawnPoints(salon.was(), slot);
+            const auto left = static_cast<std::size_t>(isM / lengthM * static_cast<float>(points.size() - 1));
+            const std::span<const glm::vec3> cutTo = std::span(points).first(std::min(left + 1, points.size()));
+            tooLong += std::ranges::any_of(cutTo, [](glm::vec3 p) { return p.y < kLevelM - kTooLongM; }) ? 1 : 0;
+        });
+        QCOMPARE(tooLong, std::size_t{0});
+    }
+
     void layersAreShortestAtTheCrown()
     {
         Salon salon(QStringLiteral("Long straight"));

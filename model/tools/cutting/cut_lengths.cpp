@@ -25,7 +25,8 @@ constexpr float kMostOfBefore = 1.15F;
 
 } // namespace
 
-CutLengths::CutLengths(const sim::GroupFrame& hair, sim::MapRaster shown) : m_shown(std::move(shown))
+CutLengths::CutLengths(const sim::GroupFrame& hair, sim::MapRaster shown, const StrandLengths& lengths)
+    : m_shown(std::move(shown))
 {
     const sim::Groom& groom = *hair.groom;
     const sim::RootSet& roots = *groom.roots;
@@ -54,6 +55,7 @@ CutLengths::CutLengths(const sim::GroupFrame& hair, sim::MapRaster shown) : m_sh
         const glm::ivec2 first = sim::TiledRaster::footprint(uv, size);
         const glm::vec2 position = glm::vec2(uv.x, 1.0F - uv.y) * static_cast<float>(size) - 0.5F;
         m_roots[root] = {.slot = static_cast<std::uint32_t>(slot),
+                         .isBaby = lengths.isBaby(static_cast<std::uint32_t>(slot)),
                          .first = first,
                          .fraction = glm::clamp(position - glm::vec2(first), 0.0F, 1.0F)};
         m_rootOfSlot[slot] = root;
@@ -211,7 +213,7 @@ void CutLengths::divide(Work& work) const
                 continue;
             const auto tile = static_cast<std::size_t>(from);
             for (std::uint32_t root = m_firstOfTile[tile]; root < m_firstOfTile[tile + 1]; ++root)
-                if ((m_kept[root] < 1.0F) == isCut)
+                if (isCut ? m_kept[root] < 1.0F : isHeld(root))
                     forRead(root, [&](std::size_t texel) {
                         kept[texel] = isCut ? std::min(kept[texel], m_kept[root]) : 1.0F;
                     });
@@ -286,8 +288,7 @@ std::vector<LengthRead> CutLengths::readsBeside()
         for (std::uint32_t root = m_firstOfTile[static_cast<std::size_t>(tile)];
              root < m_firstOfTile[static_cast<std::size_t>(tile) + 1]; ++root) {
             const glm::ivec2 first = m_roots[root].first;
-            if (m_kept[root] < 1.0F ||
-                !(changes(first, 0) || changes(first, 1) || changes(first, 2) || changes(first, 3)))
+            if (!isHeld(root) || !(changes(first, 0) || changes(first, 1) || changes(first, 2) || changes(first, 3)))
                 continue;
             reads.push_back(readAt(root));
             for (LengthTexel* texel : reads.back().texels)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/tools/cutting/length_reads.h"
+#include "model/tools/cutting/strand_lengths.h"
 #include "model/tools/strokes/stroke_buffer.h"
 #include "sim/groom/map_slot.h"
 #include "sim/motion/strand_frame.h"
@@ -22,13 +23,13 @@ struct StrandCut
 /// Each texel belongs to the nearest root of a positioned hair. The texels of cut roots are shortened, except those
 /// that an uncut root reads; then they are corrected until the map, interpolated at each cut root, gives the wanted
 /// length. Where there are more roots than texels, not every wanted length can be met: uncut hair keeps its length
-/// within a millimetre, and some cut hairs stay too long. No texel becomes much less than the hair around it needs. One
-/// thread; cut() uses parallelFor.
+/// within a millimetre, and some cut hairs stay too long. No texel becomes much less than the hair around it needs.
+/// Baby hairs, whose length is not the map's, hold no texel. One thread; cut() uses parallelFor.
 class CutLengths
 {
 public:
-    /// `shown`: the group's length map. 5 ms for 100,000 hairs.
-    CutLengths(const sim::GroupFrame& hair, sim::MapRaster shown);
+    /// `shown`: the group's length map; `lengths`: of that hair. 5 ms for 100,000 hairs.
+    CutLengths(const sim::GroupFrame& hair, sim::MapRaster shown, const StrandLengths& lengths);
 
     /// Replaces the former cuts. Of several cuts of one slot, the one that keeps least counts. `spares`: uncut hairs
     /// change by nothing at all, and more cut hairs stay too long.
@@ -48,6 +49,7 @@ private:
     struct Root
     {
         std::uint32_t slot = 0;
+        bool isBaby = false;
         glm::ivec2 first{0};      ///< The upper left one of the four texels that are read at the root.
         glm::vec2 fraction{0.0F}; ///< The root's position from that texel's centre toward the lower right one's, 0..1.
         [[nodiscard]] glm::vec2 positionTx() const { return glm::vec2(first) + fraction; }
@@ -66,6 +68,8 @@ private:
     {
         return static_cast<std::size_t>(m_workOfTile[static_cast<std::size_t>(tileIndex)]);
     }
+    /// Whether the root's hair is to stay as it is.
+    [[nodiscard]] bool isHeld(std::uint32_t root) const { return m_kept[root] == 1.0F && !m_roots[root].isBaby; }
     [[nodiscard]] float cutValue(float value, float kept) const;
     void findTiles();
     [[nodiscard]] LengthRead readAt(std::uint32_t root);

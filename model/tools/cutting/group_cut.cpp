@@ -45,9 +45,9 @@ GroupCut::GroupCut(ToolContext& context, std::shared_ptr<const sim::StrandFrame>
     if (!m_edit.begin(context, text))
         return;
     m_edit.setText(text);
-    m_lengths.emplace(*m_hair, std::move(length));
-    m_tips = CutTips::in(m_edit, context);
     m_before.emplace(context.document, context.target.group, groom().roots);
+    m_lengths.emplace(*m_hair, std::move(length), *m_before);
+    m_tips = CutTips::in(m_edit, context);
 }
 
 float GroupCut::longestM() const

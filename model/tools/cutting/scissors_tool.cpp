@@ -140,8 +140,8 @@ private:
     LiveEdit m_edit; ///< Edits the length layer.
     std::shared_ptr<const SeenHair> m_seen;
     std::optional<MirroredRoots> m_mirrored; ///< None where no other side is cut.
-    std::optional<StrandLengths> m_present; ///< Lengths of hair before this cut.
-    std::vector<float> m_presentM;          ///< By slot: the length that m_present gave; below 0 until it is asked for.
+    std::optional<StrandLengths> m_present;  ///< Lengths of hair before this cut.
+    std::vector<float> m_presentM; ///< By slot: the length that m_present gave; below 0 until it is asked for.
     std::optional<CutLengths> m_lengths;
     std::optional<CutTips> m_tips;
     std::vector<StrandCut> m_cuts; ///< Cuts of the hair in m_seen.
@@ -166,7 +166,7 @@ void ScissorsTool::pressPicture(const PictureEvent& event, ToolContext& context)
         return;
     m_present.emplace(context.document, context.target.group, hair->groom->roots);
     m_presentM.assign(hair->groom->roots->count(), -1.0F);
-    m_lengths.emplace(*hair, std::move(length));
+    m_lengths.emplace(*hair, std::move(length), *m_present);
     m_tips = CutTips::in(m_edit, context);
     if (context.mirror)
         m_mirrored.emplace(*hair);

@@ -3,7 +3,6 @@
 
 #include "sim/groom/slot_set.h"
 #include "sim/groom/strand_style.h"
-#include "sim/groom/variation.h"
 
 #include <algorithm>
 
@@ -44,14 +43,24 @@ float StrandLengths::at(std::uint32_t slot) const
     return uncutM * sim::variationAt(m_settings, *m_roots, m_hairline, slot, uncutM).length;
 }
 
-float StrandLengths::keptFor(std::uint32_t slot, float lengthM) const
+sim::HairVariation StrandLengths::thinnedAt(std::uint32_t slot) const
 {
-    const std::uint32_t rank = m_roots->rankOfSlot[slot];
     sim::HairVariation thinned;
     if (!m_hairline.isOff())
-        sim::thinAtDepth(m_settings.hairline.baby, m_hairline.depth(slot), m_roots->seed, rank, thinned);
-    const float own = sim::variationOf(m_settings.variation, m_roots->seed, rank).length;
-    return sim::lengthBefore(m_settings.variation, own, lengthM / thinned.length, m_roots->positionHd[slot]) /
+        sim::thinAtDepth(m_settings.hairline.baby, m_hairline.depth(slot), m_roots->seed, m_roots->rankOfSlot[slot],
+                         thinned);
+    return thinned;
+}
+
+bool StrandLengths::isBaby(std::uint32_t slot) const
+{
+    return thinnedAt(slot).babyM > 0.0F;
+}
+
+float StrandLengths::keptFor(std::uint32_t slot, float lengthM) const
+{
+    const float own = sim::variationOf(m_settings.variation, m_roots->seed, m_roots->rankOfSlot[slot]).length;
+    return sim::lengthBefore(m_settings.variation, own, lengthM / thinnedAt(slot).length, m_roots->positionHd[slot]) /
            std::max(uncutAt(slot), kLeastM);
 }
 

@@ -5,6 +5,7 @@
 #include "sim/groom/groom.h"
 #include "sim/groom/hairline.h"
 #include "sim/groom/map_sampler.h"
+#include "sim/groom/variation.h"
 
 namespace hairpaint::model {
 
@@ -17,11 +18,14 @@ public:
     /// m, of the skeleton of a hair that is not in a braid; a baby hair's as if it were none, for that is what the map
     /// can tell.
     [[nodiscard]] float at(std::uint32_t slot) const;
+    /// Whether it is a baby hair, whose length is its own: it grows no longer, whatever its map tells.
+    [[nodiscard]] bool isBaby(std::uint32_t slot) const;
     /// The fraction of the length that its map gives of which that hair has `lengthM`, >= 0; chance takes more of some
     /// lengths than of others.
     [[nodiscard]] float keptFor(std::uint32_t slot, float lengthM) const;
 
 private:
+    [[nodiscard]] sim::HairVariation thinnedAt(std::uint32_t slot) const; ///< What the hairline makes of it.
     /// Length, m, before chance and the hairline shorten it.
     [[nodiscard]] float uncutAt(std::uint32_t slot) const;
 
