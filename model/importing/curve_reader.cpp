@@ -145,9 +145,7 @@ Result<ForeignCurves> readCurves(const QString& path, const Progress& progress)
             return cannotOpen(path, curves.error());
         if (!*curves)
             return cancelled(path);
-        for (ForeignStrands& strands : (*curves)->groups)
-            (*curves)->leftOut += dropBroken(strands);
-        std::erase_if((*curves)->groups, [](const ForeignStrands& strands) { return strands.count() == 0; });
+        leaveOutBroken(**curves);
         if ((*curves)->groups.empty() && (*curves)->leftOut > 0)
             return cannotOpen(path,
                               {.text = say(QT_TRANSLATE_NOOP("Files", "its hair is cut short or broken; export it "
@@ -158,6 +156,13 @@ Result<ForeignCurves> readCurves(const QString& path, const Progress& progress)
                                      .cure = Clause::Cure::OtherFile});
         return std::move(**curves);
     });
+}
+
+void leaveOutBroken(ForeignCurves& curves)
+{
+    for (ForeignStrands& strands : curves.groups)
+        curves.leftOut += dropBroken(strands);
+    std::erase_if(curves.groups, [](const ForeignStrands& strands) { return strands.count() == 0; });
 }
 
 } // namespace hairpaint::model

@@ -24,7 +24,8 @@ struct StrandLook
     glm::vec3 tipColour{0.0F};
 };
 
-/// Strands that make one hair group. Any number of them, each of at least two points; all numbers are finite.
+/// Strands that make one hair group, any number of them: of readCurves() each of at least two points, all numbers
+/// finite; of a format's own reader as its file holds them.
 struct ForeignStrands
 {
     QString name;                    ///< Empty where the file tells none.

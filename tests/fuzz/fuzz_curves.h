@@ -1,6 +1,7 @@
 // What holds of curves, whatever file they were read from.
 #pragma once
 
+#include "model/importing/curve_reader.h"
 #include "model/importing/foreign_curves.h"
 #include "model/importing/strand_shape.h"
 #include "tests/fuzz/fuzz_input.h"
@@ -9,9 +10,10 @@
 
 namespace hairpaint::fuzz {
 
-/// Every strand has its points, and can be measured.
-inline void requireWhole(const model::ForeignCurves& curves)
+/// What is left once broken strands are out: every strand has its points, and can be measured.
+inline void requireWhole(model::ForeignCurves curves)
 {
+    model::leaveOutBroken(curves);
     model::StrandScratch scratch;
     for (const model::ForeignStrands& strands : curves.groups) {
         require(strands.looks.size() == strands.count());

@@ -5,6 +5,8 @@
 
 #include <QBuffer>
 
+#include <utility>
+
 using namespace hairpaint;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
@@ -12,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     QBuffer file;
     file.setData(reinterpret_cast<const char*>(data), static_cast<int>(size));
     fuzz::require(file.open(QIODevice::ReadOnly));
-    if (const auto curves = model::readHairFile(file); curves && *curves)
-        fuzz::requireWhole(**curves);
+    if (auto curves = model::readHairFile(file); curves && *curves)
+        fuzz::requireWhole(std::move(**curves));
     return 0;
 }

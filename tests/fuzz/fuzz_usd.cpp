@@ -3,6 +3,8 @@
 #include "tests/fuzz/fuzz_curves.h"
 #include "tests/fuzz/fuzz_input.h"
 
+#include <utility>
+
 using namespace hairpaint;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
@@ -17,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             return std::nullopt;
         return model::UsdLayer{.text = asset == QLatin1String("a") ? text : other, .path = asset};
     };
-    if (const auto curves = model::readUsdText(text, {}, opener); curves && *curves)
-        fuzz::requireWhole(**curves);
+    if (auto curves = model::readUsdText(text, {}, opener); curves && *curves)
+        fuzz::requireWhole(std::move(**curves));
     return 0;
 }
