@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace hairpaint::sim {
@@ -24,6 +25,7 @@ constexpr float kLeastOfLength = 0.3F; ///< A basis hair that is shorter is a st
 
 constexpr float kLoner = 0.5F;          ///< Long hair that agrees less with any is none that lies so on purpose.
 constexpr float kHangingAloneM = 0.15F; ///< Shorter hair may well carry itself.
+constexpr float kHangsAlike = 0.75F;    ///< One of less than this fraction of its length tells not how it hangs.
 constexpr float kSameLengthM = 1e-4F;   ///< A braid and the strand that it follows that differ by less do not.
 
 /// By what a basis hair's displacements are divided: its length, but what stubble does in contact with the skin would
@@ -163,16 +165,34 @@ void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
         for (std::size_t node = 0; node <= last; ++node)
             groom.blocks().setNode(chunk.rest, slot, node, groom.blocks().node(styles.restPositions, slot, node));
     // What stubble does tells nothing of how long hair beside it falls.
+    const bool hangs = lengthM > kHangingAloneM;
+    const float leastM = (hangs ? kHangsAlike : kLeastOfLength) * lengthM;
     const auto agreed = [&](std::uint32_t basis) {
         const Lead& lead = m_leads[basis];
-        return lead.lengthM < kLeastOfLength * lengthM ? 0.0F : agreement(own, lead);
+        return lead.lengthM < leastM ? 0.0F : agreement(own, lead);
     };
     std::array<float, RootSet::kNeighbours> agreements{};
     std::ranges::transform(nearest, agreements.begin(), agreed);
     if (!chunk.followed.empty())
         chunk.followed[slot] = nearest;
-    if (std::ranges::max(agreements) <= kStranger) {
+    const auto followAlone = [&](std::uint32_t basis) {
+        makeFollowed(groom, index);
+        chunk.followed[slot] = {basis, nearest[0], nearest[1]};
+        chunk.weights[slot] = {1.0F, 0.0F, 0.0F};
+        setClump(groom, index, slot, 0.0F);
+    };
+    const bool isLeftLong =
+        hangs && std::ranges::all_of(nearest, [&](std::uint32_t basis) { return m_leads[basis].lengthM < leastM; });
+    if (isLeftLong || std::ranges::max(agreements) <= kStranger)
         chunk.parted.push_back(static_cast<std::uint16_t>(slot));
+    if (isLeftLong)
+        if (const std::optional<std::uint32_t> other =
+                nearestAsLong(groom, roots.positionHd[index * kChunkSlots + slot], leastM)) {
+            followAlone(*other);
+            layAlong(groom, index, slot, *other);
+            return;
+        }
+    if (std::ranges::max(agreements) <= kStranger) {
         std::uint32_t best = nearest[0];
         float most = kStranger;
         for (const std::uint32_t basis : nearest)
@@ -182,18 +202,15 @@ void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
                     best = next;
                 }
         if (most > kStranger) {
-            makeFollowed(groom, index);
-            chunk.followed[slot] = {best, nearest[0], nearest[1]};
-            chunk.weights[slot] = {1.0F, 0.0F, 0.0F};
-            setClump(groom, index, slot, 0.0F);
-            if (most < kLoner && lengthM > kHangingAloneM)
+            followAlone(best);
+            if (most < kLoner && hangs)
                 layAlong(groom, index, slot, best);
             return;
         }
     }
     std::array<float, RootSet::kNeighbours>& weights = chunk.weights[slot];
     weights = roots.weights[index * kChunkSlots + slot];
-    if (std::ranges::max(agreements) < kLoner && lengthM > kHangingAloneM) {
+    if (std::ranges::max(agreements) < kLoner && hangs) {
         // Nothing holds it there: it hangs as that one does which is most like it.
         const auto first = static_cast<std::size_t>(std::ranges::max_element(agreements) - agreements.begin());
         layAlong(groom, index, slot, nearest[first]);
@@ -219,6 +236,23 @@ void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
     for (std::size_t k = 0; k < weights.size(); ++k)
         weights[k] += ((k == 0 ? together : 0.0F) - weights[k]) * clump;
     setClump(groom, index, slot, styles.clump[slot]);
+}
+
+std::optional<std::uint32_t> Dependents::nearestAsLong(const Groom& groom, glm::vec3 rootHd, float leastM) const
+{
+    const RootSet& roots = *groom.roots;
+    std::optional<std::uint32_t> nearest;
+    float least = std::numeric_limits<float>::max();
+    for (std::uint32_t basis = 0; basis < roots.basisSlot.size(); ++basis) {
+        if (m_leads[basis].lengthM < leastM)
+            continue;
+        const glm::vec3 apart = roots.positionHd[roots.basisSlot[basis]] - rootHd;
+        if (const float square = glm::dot(apart, apart); square < least) {
+            least = square;
+            nearest = basis;
+        }
+    }
+    return nearest;
 }
 
 void Dependents::followGiven(const Groom& groom, std::size_t index, std::size_t slot)

@@ -9,6 +9,7 @@
 #include "sim/solver/strand_state.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -60,8 +61,11 @@ private:
     void followChangedBasis(const Groom& groom, const std::vector<std::uint8_t>& changed, std::size_t index);
     /// How much a drawn hair follows each of its basis hairs. One of another length (at the edge of a cut), or that
     /// lies to another side, counts less, and the nearest counts the more the closer the hair clumps to it. Where all
-    /// of the nearest lie to another side, as beside a parting, it follows one next to them that does not.
+    /// of the nearest lie to another side, as beside a parting, it follows one next to them that does not; and a long
+    /// one among short ones, which a cut has missed, one further away that hangs.
     void follow(const Groom& groom, std::size_t index, std::size_t slot);
+    /// Of the basis hairs of `leastM` and more the one whose root is nearest; none where there are none. 10 us.
+    [[nodiscard]] std::optional<std::uint32_t> nearestAsLong(const Groom& groom, glm::vec3 rootHd, float leastM) const;
     /// Makes a hair follow the basis hairs of StrandChunk::followed.
     void followGiven(const Groom& groom, std::size_t index, std::size_t slot);
     /// Makes a hair follow the basis hair that leads its lock as closely as it clumps.

@@ -36,6 +36,7 @@ private Q_SLOTS:
     void locksHoldTheirHairInStorm();
     void hairFollowsBasisHairsThatChangeInOtherChunks();
     void longHairThatLiesAsNoneAroundHangsWithThem();
+    void longHairThatACutHasMissedHangs();
 };
 
 void TestDependents::dependentsKeepTheirLengthAndStayOutside()
@@ -217,6 +218,43 @@ void TestDependents::longHairThatLiesAsNoneAroundHangsWithThem()
         const float apart = glm::distance(layout.node(expected, slot, last), layout.node(got, slot, last));
         QVERIFY2(apart <= (slot == kLoner ? 0.02F : 0.0F), qPrintable(QString::number(apart)));
     }
+}
+
+void TestDependents::longHairThatACutHasMissedHangs()
+{
+    constexpr float kLongM = 0.15F;
+    constexpr float kBallM = 0.1F;
+    constexpr float kOffBallM = 0.06F; // Hair that hangs as others do bends down nearer to the ball.
+    GroomInput input = paintedBall(4 * kFollowers, 300);
+    input.groups.front().settings.variation = {.crossing = 0.3F, .flyaways = 0.2F};
+    MapRaster& length = input.groups.front().maps[MapSlot::Length];
+    paintSquare(length, {0.2F, 0.3F}, {0.8F, 0.7F}, 26000);
+    for (float u = 0.22F; u < 0.8F; u += 0.04F)
+        for (float v = 0.32F; v < 0.7F; v += 0.04F)
+            paintSquare(length, {u, v}, {u + 0.01F, v + 0.01F}, 65535);
+    Simulation simulation;
+    simulation.setInput(input);
+    simulation.settle(2.0);
+    StrandFrame frame;
+    simulation.writeFrame(frame);
+    const GroupFrame& hair = frame.groups.front();
+    std::size_t missed = 0;
+    std::size_t flying = 0;
+    for (std::uint32_t slot = 0; slot < hair.groom->roots->count(); ++slot) {
+        const glm::vec2 uv = hair.groom->roots->uv[slot];
+        const bool isInside = uv.x > 0.2F && uv.x < 0.8F && uv.y > 0.3F && uv.y < 0.7F;
+        if (!isInside || !hair.isPositioned(slot) || hair.groom->style(slot).lengthM < kLongM)
+            continue;
+        ++missed;
+        bool isFlying = false;
+        for (std::size_t node = 0; node < static_cast<std::size_t>(hair.groom->nodes); ++node) {
+            const glm::vec3 p = hair.groom->blocks().node(hair.positions, hair.groom->frameStrand(slot), node);
+            isFlying = isFlying || glm::length(glm::vec2(p.x, p.z)) > kBallM + kOffBallM;
+        }
+        flying += isFlying ? 1 : 0;
+    }
+    QVERIFY(missed > 50);
+    QVERIFY2(flying * 40 < missed, qPrintable(QStringLiteral("%1 of %2").arg(flying).arg(missed)));
 }
 
 HAIRPAINT_TEST(TestDependents, None)
