@@ -91,7 +91,8 @@ Checked<std::vector<bool>> named(const RiggedMesh& source, const std::vector<QSt
         for (std::size_t i = 0; i < source.parts.size(); ++i)
             known.append(titleOf(source, i));
         known.removeDuplicates();
-        return refuse(say(QT_TRANSLATE_NOOP("Files", "it has no part '%1'; it has %2")).arg(name, quoted(known)));
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "it has no part '%1'; it has %2")).arg(name, quoted(known)),
+                      Clause::Cure::OtherFile);
     }
     return isNamed;
 }
@@ -124,6 +125,9 @@ Checked<void> choosePartsBy(RiggedMesh& source, const HeadChoice& choice, const 
     if (!growing)
         return tl::unexpected(growing.error());
     RiggedMesh considered = source;
+    if (choice.ownLayout && std::ranges::none_of(source.parts, &MeshPart::hasLayout)) // It will have one.
+        for (MeshPart& part : considered.parts)
+            part.hasLayout = true;
     if (!choice.comingIn.empty()) // What is left out is no skin that is looked for.
         for (std::size_t i = 0; i < source.parts.size(); ++i)
             considered.parts[i].hasLayout = considered.parts[i].hasLayout && (*comingIn)[i];
@@ -139,24 +143,32 @@ Checked<void> choosePartsBy(RiggedMesh& source, const HeadChoice& choice, const 
         if (part.use == PartUse::Grows && !part.hasLayout && !choice.ownLayout && !choice.growing.empty())
             return refuse(say(QT_TRANSLATE_NOOP("Files", "its part '%1' has no uv coordinates to paint on; choose "
                                                          "another, or a layout of our own"))
-                              .arg(titleOf(source, i)));
+                              .arg(titleOf(source, i)),
+                          Clause::Cure::OtherFile);
     }
     return {};
 }
 
 Checked<ChosenHead> headOfParts(const RiggedMesh& source, bool ownLayout)
 {
+    const auto nothingToPaintOn = [] {
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "all its uv coordinates are the same, so there is nothing to "
+                                                     "paint on; unwrap it in a 3D program first")),
+                      Clause::Cure::OtherFile);
+    };
     if (!source.parts.empty() &&
-        std::ranges::none_of(source.parts, [](const MeshPart& part) { return part.use == PartUse::Grows; }))
-        return refuse(say(QT_TRANSLATE_NOOP("Files", "hair is to grow on none of its parts; choose one")));
+        std::ranges::none_of(source.parts, [](const MeshPart& part) { return part.use == PartUse::Grows; })) {
+        if (!ownLayout && std::ranges::none_of(source.parts, &MeshPart::hasLayout))
+            return nothingToPaintOn();
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "hair is to grow on none of its parts; choose one")),
+                      Clause::Cure::OtherFile);
+    }
     ChosenHead chosen{.mesh = arranged(source), .remarks = {}};
     if (ownLayout)
         chosen.mesh = laidOutAnew(std::move(chosen.mesh));
     const sim::HeadMesh head = growingMesh(chosen.mesh);
     if (!hasLayout(head))
-        return refuse(say(QT_TRANSLATE_NOOP("Files", "all its uv coordinates are the same, so there is nothing to "
-                                                     "paint on; unwrap it in a 3D program first")),
-                      Clause::Cure::OtherFile);
+        return nothingToPaintOn();
     QStringList bare;
     QStringList tiles;
     for (std::size_t i = 0; i < source.parts.size(); ++i) {

@@ -53,7 +53,7 @@ protected:
         const auto skin = m_window->headView().skinAt(at);
         const auto strands = seen.under(at, 4.0);
         return skin && strands.size() > 2 && std::ranges::all_of(strands, [&](const model::SeenStrand& one) {
-                   return glm::distance(one.root.positionHd, skin->positionHd) > kFarM;
+                   return glm::distance(one.rootHd, skin->positionHd) > kFarM;
                });
     }
     void setTools(model::ToolId tool, TouchKind touch)

@@ -157,6 +157,28 @@ private Q_SLOTS:
         QVERIFY(!bare && bare.error().text.contains(QStringLiteral("Glasses")));
     }
 
+    /// Each part has one point of the layout for all of its surface.
+    void partsWithoutLayoutsAreRefusedOrLaidOutAnew()
+    {
+        RiggedMesh flat = makeCharacter();
+        const std::vector<PartRange> ranges = rangesOf(flat);
+        for (std::size_t i = 0; i < flat.parts.size(); ++i) {
+            flat.parts[i].hasLayout = false;
+            for (std::size_t v = 0; v < ranges[i].vertices; ++v)
+                flat.uvs[ranges[i].firstVertex + v] = glm::vec2(0.1F * static_cast<float>(i));
+        }
+        RiggedMesh chosen = flat;
+        QVERIFY(choosePartsBy(chosen, {}, {}));
+        const Checked<ChosenHead> refused = headOfParts(chosen, false);
+        QVERIFY(!refused && refused.error().cure == Clause::Cure::OtherFile);
+        QVERIFY2(refused.error().text.contains(QStringLiteral("uv coordinates")), qPrintable(refused.error().text));
+        chosen = flat;
+        QVERIFY(choosePartsBy(chosen, {.ownLayout = true}, {}));
+        QCOMPARE(namesOf(chosen, PartUse::Grows), QStringList{QStringLiteral("Head")});
+        const Checked<ChosenHead> laidOut = headOfParts(chosen, true);
+        QVERIFY2(laidOut, laidOut ? "" : qPrintable(laidOut.error().text));
+    }
+
     void layoutsOverEachOtherLieSideBySide()
     {
         const RiggedMesh mesh = arranged(chosenCharacter({.growing = {QStringLiteral("Head"), QStringLiteral("Bag")}}));
