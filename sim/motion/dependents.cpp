@@ -4,13 +4,11 @@
 #include "sim/base/parallel.h"
 #include "sim/groom/strand_curve.h"
 #include "sim/motion/head_motion.h"
-#include "sim/solver/agreement.h"
 #include "sim/solver/dependents_kernel.h"
 #include "sim/solver/strand_constants.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace hairpaint::sim {
@@ -28,8 +26,6 @@ constexpr float kHangingAloneM = 0.15F; ///< Shorter hair may well carry itself.
 constexpr float kHangsAlike = 0.75F;    ///< One of less than this fraction of its length tells not how it hangs.
 constexpr float kSameLengthM = 1e-4F;   ///< A braid and the strand that it follows that differ by less do not.
 
-/// By what a basis hair's displacements are divided: its length, but what stubble does in contact with the skin would
-/// be zigzags on long hair beside it.
 /// On the curve through the nodes, as it is drawn: a chord would lie in what the strand bends around.
 glm::vec3 between(std::span<const glm::vec3> nodes, std::size_t segment, float t)
 {
@@ -38,12 +34,6 @@ glm::vec3 between(std::span<const glm::vec3> nodes, std::size_t segment, float t
     const glm::vec3 a = segment > 0 ? nodes[segment - 1] : b * 2.0F - c;
     const glm::vec3 d = segment + 2 < nodes.size() ? nodes[segment + 2] : c * 2.0F - b;
     return b + ((c - a) * 0.5F + (a - b * 2.5F + c * 2.0F - d * 0.5F + ((d - a) * 0.5F + (b - c) * 1.5F) * t) * t) * t;
-}
-
-float scaleOf(float basisLengthM)
-{
-    constexpr float kStubbleM = 0.03F;
-    return std::max(basisLengthM, kStubbleM);
 }
 
 /// How much one of another length tells of how a hair of `lengthM` moves, 0..1, never nothing.
@@ -71,7 +61,7 @@ void Dependents::prepare(const Groom& groom, const ColliderSet& colliders, bool 
     m_chunks.resize(groom.chunks.size());
     m_positioned.clear();
     std::vector<std::uint8_t> changed;
-    const bool basisDiffers = findChangedBasis(groom, changed);
+    const bool basisDiffers = m_leads.update(groom, changed);
     std::vector<std::uint32_t> stale;
     std::vector<std::uint32_t> kept;
     for (std::size_t i = 0; i < groom.chunks.size(); ++i) {
@@ -90,45 +80,6 @@ void Dependents::prepare(const Groom& groom, const ColliderSet& colliders, bool 
         for (std::size_t i = begin; i < end; ++i)
             prepareChunk(groom, colliders, stale[i]);
     });
-}
-
-bool Dependents::findChangedBasis(const Groom& groom, std::vector<std::uint8_t>& changed)
-{
-    if (!groom.basis || m_basis == groom.basis)
-        return false;
-    const BasisStyles& basis = *groom.basis;
-    const std::size_t count = basis.blockCount() * kLanes;
-    m_basis = groom.basis;
-    m_leads.resize(count);
-    changed.assign(count, 0);
-    bool any = false;
-    const auto last = static_cast<std::size_t>(groom.nodes - 1);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float lengthM = basis[BasisQuantity::SegmentLength][i] * static_cast<float>(last);
-        const float perLength = 1.0F / scaleOf(lengthM);
-        const Lead lead = leadOf(groom, basis.restPositions, i, lengthM, perLength);
-        changed[i] = lead == m_leads[i] ? 0 : 1;
-        any = any || changed[i] != 0;
-        m_leads[i] = lead;
-    }
-    return any;
-}
-
-Dependents::Lead Dependents::leadOf(const Groom& groom, std::span<const float> restPositions, std::size_t strand,
-                                    float lengthM, float perLength)
-{
-    const auto last = static_cast<std::size_t>(groom.nodes - 1);
-    const auto node = [&](std::size_t i) { return groom.blocks().node(restPositions, strand, i); };
-    const glm::vec3 root = node(0);
-    const glm::vec3 start = node((last + 3) / 4) - root;
-    return {(node(last) - root) * perLength, start / std::max(glm::length(start), 1e-9F), lengthM};
-}
-
-float Dependents::agreement(const Lead& a, const Lead& b)
-{
-    // By their tips alone both sides of a bob's parting would be near each other.
-    const float start = std::clamp(glm::dot(a.start, b.start) + 0.5F, 0.0F, 1.0F);
-    return start * agreementOfTips(&a.reach.x, &b.reach.x);
 }
 
 void Dependents::followChangedBasis(const Groom& groom, const std::vector<std::uint8_t>& changed, std::size_t index)
@@ -160,7 +111,7 @@ void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
     const auto last = static_cast<std::size_t>(groom.nodes - 1);
     const std::array<std::uint32_t, RootSet::kNeighbours>& nearest = roots.neighbours[index * kChunkSlots + slot];
     const float lengthM = styles.segmentLengths[slot] * static_cast<float>(last);
-    const Lead own = leadOf(groom, styles.restPositions, slot, lengthM, 1.0F / lengthM);
+    const HairLead own = leadOf(groom, styles.restPositions, slot, lengthM, 1.0F / lengthM);
     if (!chunk.rest.empty())
         for (std::size_t node = 0; node <= last; ++node)
             groom.blocks().setNode(chunk.rest, slot, node, groom.blocks().node(styles.restPositions, slot, node));
@@ -168,7 +119,7 @@ void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
     const bool hangs = lengthM > kHangingAloneM;
     const float leastM = (hangs ? kHangsAlike : kLeastOfLength) * lengthM;
     const auto agreed = [&](std::uint32_t basis) {
-        const Lead& lead = m_leads[basis];
+        const HairLead& lead = m_leads[basis];
         return lead.lengthM < leastM ? 0.0F : agreement(own, lead);
     };
     std::array<float, RootSet::kNeighbours> agreements{};
@@ -187,7 +138,7 @@ void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
         chunk.parted.push_back(static_cast<std::uint16_t>(slot));
     if (isLeftLong)
         if (const std::optional<std::uint32_t> other =
-                nearestAsLong(groom, roots.positionHd[index * kChunkSlots + slot], leastM)) {
+                m_leads.nearestAsLong(roots, roots.positionHd[index * kChunkSlots + slot], leastM)) {
             followAlone(*other);
             layAlong(groom, index, slot, *other);
             return;
@@ -236,23 +187,6 @@ void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
     for (std::size_t k = 0; k < weights.size(); ++k)
         weights[k] += ((k == 0 ? together : 0.0F) - weights[k]) * clump;
     setClump(groom, index, slot, styles.clump[slot]);
-}
-
-std::optional<std::uint32_t> Dependents::nearestAsLong(const Groom& groom, glm::vec3 rootHd, float leastM) const
-{
-    const RootSet& roots = *groom.roots;
-    std::optional<std::uint32_t> nearest;
-    float least = std::numeric_limits<float>::max();
-    for (std::uint32_t basis = 0; basis < roots.basisSlot.size(); ++basis) {
-        if (m_leads[basis].lengthM < leastM)
-            continue;
-        const glm::vec3 apart = roots.positionHd[roots.basisSlot[basis]] - rootHd;
-        if (const float square = glm::dot(apart, apart); square < least) {
-            least = square;
-            nearest = basis;
-        }
-    }
-    return nearest;
 }
 
 void Dependents::followGiven(const Groom& groom, std::size_t index, std::size_t slot)
@@ -396,7 +330,7 @@ void Dependents::findDisplacements(const Groom& groom, const StrandState& state,
                     basis[BasisQuantity::SegmentLength][block * kLanes + lane] * static_cast<float>(nodes - 1);
                 const bool solved = ((wanted >> lane) & 1U) != 0 && length > 0.0F;
                 const float stretch = state.field(block * kLanes + lane, kStretch);
-                const float perLength = solved ? 1.0F / scaleOf(length) : 0.0F;
+                const float perLength = solved ? 1.0F / displacementScaleM(length) : 0.0F;
                 float* out = m_displacements.data() + (block * kLanes + lane) * nodes * kBasisFloats;
                 std::size_t at = groom.blocks().index(block * kLanes + lane, 0);
                 const std::size_t root = at;
@@ -430,7 +364,8 @@ void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const Rigi
         const std::size_t basisIndex = chunk.styles->braidCentre[slot];
         groom.blocks().read(chunk.styles->restPositions, slot, std::span(rest).first(nodes));
         groom.blocks().read(basis.restPositions, basisIndex, std::span(centre).first(nodes));
-        const float length = scaleOf(basis[BasisQuantity::SegmentLength][basisIndex] * static_cast<float>(nodes - 1));
+        const float length =
+            displacementScaleM(basis[BasisQuantity::SegmentLength][basisIndex] * static_cast<float>(nodes - 1));
         const float* displacement = m_displacements.data() + basisIndex * nodes * kBasisFloats;
         for (std::size_t i = 0; i < nodes; ++i, displacement += kBasisFloats)
             centre[i] += glm::vec3(displacement[0], displacement[1], displacement[2]) * length;

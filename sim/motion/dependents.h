@@ -3,14 +3,13 @@
 
 #include "sim/base/aligned_floats.h"
 #include "sim/groom/groom.h"
+#include "sim/motion/basis_leads.h"
 #include "sim/motion/strand_frame.h"
 #include "sim/skin/neck.h"
 #include "sim/solver/solver_layout.h"
 #include "sim/solver/strand_state.h"
 
 #include <memory>
-#include <optional>
-#include <span>
 #include <vector>
 
 namespace hairpaint::sim {
@@ -38,25 +37,12 @@ private:
         std::vector<std::array<float, RootSet::kNeighbours>> weights;
         /// [kChunkSlots] those basis hairs; empty where every hair follows the nearest ones.
         std::vector<std::array<std::uint32_t, RootSet::kNeighbours>> followed;
-        std::vector<std::uint16_t> parted; ///< Slots whose nearest basis hairs all lie to another side.
+        std::vector<std::uint16_t>
+            parted; ///< Slots whose nearest basis hairs all lie to another side or are too short.
         /// A copy of the styles' rest positions in which some long hairs, that lie as none around them, differ; empty
         /// where there are no such hairs.
         std::vector<float> rest;
     };
-    /// What of a hair is compared to tell whether hairs lie alike, see agreement().
-    struct Lead
-    {
-        glm::vec3 reach{0.0F}; ///< From the root to the tip, over the length that its displacements are divided by.
-        glm::vec3 start{0.0F}; ///< Unit: direction from the root to about a quarter of its length.
-        float lengthM = 0.0F;
-        friend bool operator==(const Lead&, const Lead&) = default;
-    };
-    [[nodiscard]] static Lead leadOf(const Groom& groom, std::span<const float> restPositions, std::size_t strand,
-                                     float lengthM, float perLength);
-    /// 1 where both lie at one position, 0 where they lie to different sides.
-    [[nodiscard]] static float agreement(const Lead& a, const Lead& b);
-    /// Updates m_leads to the groom; returns whether any differs, and in `changed` [basis lanes] which.
-    bool findChangedBasis(const Groom& groom, std::vector<std::uint8_t>& changed);
     /// Follows anew, in a chunk that is kept, for the hairs whose basis hairs changed.
     void followChangedBasis(const Groom& groom, const std::vector<std::uint8_t>& changed, std::size_t index);
     /// How much a drawn hair follows each of its basis hairs. One of another length (at the edge of a cut), or that
@@ -64,8 +50,6 @@ private:
     /// of the nearest lie to another side, as beside a parting, it follows one next to them that does not; and a long
     /// one among short ones, which a cut has missed, one further away that hangs.
     void follow(const Groom& groom, std::size_t index, std::size_t slot);
-    /// Of the basis hairs of `leastM` and more the one whose root is nearest; none where there are none. 10 us.
-    [[nodiscard]] std::optional<std::uint32_t> nearestAsLong(const Groom& groom, glm::vec3 rootHd, float leastM) const;
     /// Makes a hair follow the basis hairs of StrandChunk::followed.
     void followGiven(const Groom& groom, std::size_t index, std::size_t slot);
     /// Makes a hair follow the basis hair that leads its lock as closely as it clumps.
@@ -80,8 +64,7 @@ private:
     void findDisplacements(const Groom& groom, const StrandState& state, float fraction);
     void writeBraided(const Groom& groom, const Chunk& chunk, const RigidMotion& world, float detail, float* out) const;
 
-    std::shared_ptr<const BasisStyles> m_basis;
-    std::vector<Lead> m_leads; ///< [basis lanes] of m_basis.
+    BasisLeads m_leads;
     std::vector<Chunk> m_chunks;
     std::vector<std::uint32_t> m_positioned; ///< Chunks that have positions in the frame.
     AlignedFloats m_displacements;           ///< [basis lanes][nodes][kBasisFloats], see DependentsTask.
