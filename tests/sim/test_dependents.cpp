@@ -229,9 +229,11 @@ void TestDependents::longHairThatACutHasMissedHangs()
     input.groups.front().settings.variation = {.crossing = 0.3F, .flyaways = 0.2F};
     MapRaster& length = input.groups.front().maps[MapSlot::Length];
     paintSquare(length, {0.2F, 0.3F}, {0.8F, 0.7F}, 26000);
-    for (float u = 0.22F; u < 0.8F; u += 0.04F)
-        for (float v = 0.32F; v < 0.7F; v += 0.04F)
-            paintSquare(length, {u, v}, {u + 0.01F, v + 0.01F}, 65535);
+    for (int column = 0; column < 15; ++column)
+        for (int row = 0; row < 10; ++row) {
+            const glm::vec2 low = glm::vec2(0.22F, 0.32F) + 0.04F * glm::vec2(column, row);
+            paintSquare(length, low, low + 0.01F, 65535);
+        }
     Simulation simulation;
     simulation.setInput(input);
     simulation.settle(2.0);
