@@ -26,7 +26,7 @@ struct LengthRead
 
     [[nodiscard]] float value() const;
     [[nodiscard]] bool isReadBeside() const;
-    /// Changes value() by `by`, with the least change of the texels, as far as they may change; false where none can.
+    /// Changes value() by `by`, with the least change of the texels, as far as they may change; tells whether one did.
     bool move(float by);
 };
 
