@@ -1,4 +1,4 @@
-// Course, tail, and what the maps make of it.
+// Lanes of hairs, and what the maps make of them.
 #include "sim/groom/gathered_writer.h"
 
 #include "sim/groom/braid_path.h"
@@ -40,140 +40,184 @@ GatheredWriter::GatheredWriter(const ChunkInputs& inputs, std::size_t chunkIndex
       m_ring(static_cast<std::size_t>(ringNode(inputs.settings.nodesPerHair)))
 {}
 
+GatheredWriter::Batch& GatheredWriter::batchOf(std::uint16_t tie)
+{
+    const auto at = std::ranges::find(m_batches, tie, [](const std::unique_ptr<Batch>& batch) { return batch->tie; });
+    if (at != m_batches.end())
+        return **at;
+    m_batches.push_back(std::make_unique<Batch>());
+    m_batches.back()->tie = tie;
+    return *m_batches.back();
+}
+
 void GatheredWriter::write(std::uint32_t slot, const RootChance& chance, const RootValues& values,
                            const HairVariation& own, const StrandStyle& style)
 {
     const RootSet& roots = m_inputs.roots;
     const GroupSettings& settings = m_inputs.settings;
     const Gathering& gathering = m_inputs.gathering;
-    const Gathering::TieState& tie = gathering.tieOf(gathering.numberOf(slot));
-    const bool isBun = tie.tie.form == TieForm::Bun;
-    const BraidKind kind = isBun ? kCoilKind : lacedKind(static_cast<BraidKind>(m_inputs.kinds[slot]));
-    const bool isAlongCore = kind != BraidKind::None && tie.core != kNoCentre;
-    const GatheredLay::Course course =
-        tie.lay.courseOf(roots.face[slot], roots.positionHd[slot], chance.coatHeight, isAlongCore);
-    const float seen = values.curl > 0.0F ? seenOverCut(settings, values.curl, values.curlSize) : 1.0F;
-    const float cutM = style.lengthM / seen;
-    Waiting& hair = m_hairs[m_count];
+    Batch& batch = batchOf(gathering.numberOf(slot));
+    const Gathering::TieState& tie = gathering.tieOf(batch.tie);
+    const std::size_t lane = batch.count++;
+    Waiting& hair = batch.hairs[lane];
     hair.slot = slot;
     hair.style = style;
     hair.own = own;
     hair.followed = gathering.followed(slot);
-    hair.clump = 0.0F;
-    const std::span<glm::vec3> nodes = std::span(hair.nodesHd).first(m_nodes);
-    const float tautM = cutM > course.tautM ? tie.lay.layTaut(course, cutM, nodes) : cutM;
-    const float freeM = (cutM - tautM) * seen;
-    if (!(freeM > 0.0F)) {
-        tie.lay.layToward(course, cutM, nodes);
-        hair.style.lengthM = cutM;
-        hair.style.turns = hair.style.curlRadiusM = 0.0F;
-        store(hair, kNoCentre, false);
-        return;
-    }
-    hair.style.braidStart = static_cast<float>(m_ring) / static_cast<float>(m_nodes - 1);
-    if (isAlongCore) {
-        const float coreFreeM = tie.coreFreeM;
-        tie.lay.layTail(course, coreFreeM, nodes);
-        const float start = hair.style.braidStart;
-        applyBraid(settings, kind, wispChanceOf(roots.seed, roots.rankOfSlot[slot]),
-                   {.scalpM = tautM, .lengthM = coreFreeM, .radiusM = braidRadiusM(settings, coreFreeM)}, hair.style);
-        hair.style.braidStart = start;
-        if (isBun) {
-            const float turns = coilTurns(tie.tie.bunRadiusM, coreFreeM);
-            tie.lay.layCoil(kCoilHeight * tie.tie.bunRadiusM * coilPathFraction(turns), nodes.subspan(m_ring));
-            hair.style.braidTaper = 0;
-            hair.style.braidRadiusM = tie.tie.bunRadiusM;
-            hair.style.braidTurns = turns;
-        }
-        hair.followed = {.basis = {tie.core, tie.core, tie.core}, .weights = {1.0F, 0.0F, 0.0F}};
-        store(hair, tie.core, !isBun);
-        return;
-    }
-    tie.lay.layTail(course, freeM, nodes);
-    hair.style.lengthM = tautM + freeM;
-    if (settings.turnsMode != TurnsMode::PerHair)
-        hair.style.turns *= freeM / style.lengthM;
-    hang(hair, values);
-}
-
-void GatheredWriter::hang(Waiting& hair, const RootValues& values)
-{
-    const RootSet& roots = m_inputs.roots;
-    const GroupSettings& settings = m_inputs.settings;
-    const Gathering& gathering = m_inputs.gathering;
-    const std::size_t lane = m_count;
-    const StrandBlocks behind(static_cast<int>(m_nodes - m_ring));
-    behind.write(m_nodesHd, lane, std::span(hair.nodesHd).subspan(m_ring, m_nodes - m_ring));
-    const std::uint32_t leader = gathering.leaderOf(hair.slot, m_inputs.locks, settings.locks.ragged);
-    const std::uint32_t leaderSlot = roots.basisSlot[leader];
-    const BasisStyles& basis = gathering.basis();
-    const bool isFollowing = hair.followed.weights[0] > 0.0F && basis[BasisQuantity::SegmentLength][leader] > 0.0F;
-    m_clump.clump[lane] = 0.0F;
-    if (isFollowing && leaderSlot != hair.slot && !hair.own.isFlyaway) {
-        // Value of the curl map from which on hair gathers by all of the group's amount.
-        constexpr float kCurled = 0.2F;
-        const float gathered = settings.curl.gather * std::min(values.curl / kCurled, 1.0F);
-        const float own = m_inputs.maps[MapSlot::Clump].scalar(roots.uv[hair.slot]);
-        const float clump = 1.0F - (1.0F - own) * (1.0F - gathered);
-        const bool isInStep = settings.turnsMode == TurnsMode::Coils && hair.style.turns > 0.0F;
-        if (clump > 0.0F || isInStep) {
-            const RootChance chance = chanceOf(roots.seed, roots.rankOfSlot[leaderSlot]);
-            hair.style.phase += (chance.phase - hair.style.phase) * (isInStep ? 1.0F : clump);
-        }
-        if (isInStep || clump > kTailKeepsStep)
-            hair.own = variationOf(settings.variation, roots.seed, roots.rankOfSlot[leaderSlot]);
-        m_clump.clump[lane] = clump;
-        m_clump.segmentM[lane] =
-            (hair.style.lengthM > 0.0F) ? glm::length(hair.nodesHd[m_ring + 1] - hair.nodesHd[m_ring]) : 0.0F;
-        m_clump.basisSegmentM[lane] = basis[BasisQuantity::SegmentLength][leader];
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            m_clump.leaderNormal.at(axis)[lane] = roots.normalHd[leaderSlot][static_cast<int>(axis)];
-        const float* from = basis.restPositions.data() + behind.index(leader, 0);
-        for (std::size_t row = 0; row < (m_nodes - m_ring) * 3; ++row)
-            m_basisHd[row * kLanes + lane] = from[row * kLanes];
-        if (clump > 0.0F && hair.followed.basis[0] != leader) {
-            const auto [weights, nearest] = std::pair(hair.followed.weights, hair.followed.basis);
-            hair.followed = {.basis = {leader, nearest[0], nearest[1]},
-                             .weights = {clump, (1.0F - clump) * weights[0], (1.0F - clump) * weights[1]}};
-            const float sum = hair.followed.weights[0] + hair.followed.weights[1] + hair.followed.weights[2];
-            for (float& weight : hair.followed.weights)
-                weight /= sum;
-        } else if (clump > 0.0F) {
-            for (std::size_t k = 0; k < RootSet::kNeighbours; ++k)
-                hair.followed.weights[k] += ((k == 0 ? 1.0F : 0.0F) - hair.followed.weights[k]) * clump;
-        }
-    }
-    if (++m_count == kLanes)
-        finish();
+    hair.curl = values.curl;
+    hair.looseM = style.lengthM;
+    hair.kind = BraidKind::None;
+    if (tie.core != kNoCentre)
+        hair.kind = tie.tie.form == TieForm::Bun ? kCoilKind : lacedKind(static_cast<BraidKind>(m_inputs.kinds[slot]));
+    const bool isAlongCore = hair.kind != BraidKind::None;
+    const float seen = values.curl > 0.0F ? seenOverCut(settings, values.curl, values.curlSize) : 1.0F;
+    tie.lay.put(batch.lanes, lane, roots.face[slot], roots.positionHd[slot]);
+    batch.lanes.chance[lane] = chance.coatHeight;
+    batch.lanes.isCore[lane] = isAlongCore ? 1.0F : 0.0F;
+    batch.lanes.cutM[lane] = style.lengthM / seen;
+    batch.lanes.seen[lane] = seen;
+    batch.lanes.givenFreeM[lane] = isAlongCore ? tie.coreFreeM : 0.0F;
+    if (batch.count == kLanes)
+        lay(batch);
 }
 
 void GatheredWriter::finish()
 {
-    if (m_count == 0)
-        return;
+    for (const std::unique_ptr<Batch>& batch : m_batches)
+        if (batch->count > 0)
+            lay(*batch);
+}
+
+void GatheredWriter::lay(Batch& batch)
+{
+    m_inputs.gathering.tieOf(batch.tie).lay.lay(batch.lanes, static_cast<int>(m_nodes), m_nodesHd);
+    m_clump.clump.fill(0.0F);
+    for (std::size_t lane = 0; lane < batch.count; ++lane) {
+        Waiting& hair = batch.hairs[lane];
+        if (!(batch.lanes.freeM[lane] > 0.0F)) {
+            hair.style.lengthM = batch.lanes.cutM[lane];
+            hair.style.turns = hair.style.curlRadiusM = 0.0F;
+            store(batch, lane, 0.0F, kNoCentre, false);
+            continue;
+        }
+        hair.style.braidStart = static_cast<float>(m_ring) / static_cast<float>(m_nodes - 1);
+        if (hair.kind != BraidKind::None)
+            lace(batch, lane);
+        else
+            hang(batch, lane);
+    }
     m_clump.nodes = static_cast<int>(m_nodes - m_ring);
-    m_clump.nodesHd = m_nodesHd.data();
+    m_clump.nodesHd = m_nodesHd.data() + m_ring * StrandBlocks::kNodeStride;
     m_clump.basisHd = m_basisHd.data();
     m_clump.locks = m_inputs.settings.locks;
     if (std::ranges::any_of(m_clump.clump, [](float clump) { return clump > 0.0F; }))
         clumpLanes(m_clump);
-    const StrandBlocks behind(m_clump.nodes);
-    for (std::size_t lane = 0; lane < m_count; ++lane) {
-        Waiting& hair = m_hairs[lane];
-        hair.clump = m_clump.clump[lane];
+    for (std::size_t lane = 0; lane < batch.count; ++lane) {
+        Waiting& hair = batch.hairs[lane];
+        if (!(batch.lanes.freeM[lane] > 0.0F) || hair.kind != BraidKind::None)
+            continue;
         varyCurl(hair.own, hair.style);
-        behind.read(m_nodesHd, lane, std::span(hair.nodesHd).subspan(m_ring, m_nodes - m_ring));
         const bool isLong =
-            glm::length(hair.nodesHd[m_ring + 1] - hair.nodesHd[m_ring]) * static_cast<float>(m_clump.nodes - 1) >=
+            glm::length(node(lane, m_ring + 1) - node(lane, m_ring)) * static_cast<float>(m_clump.nodes - 1) >=
             kShortestMovingTailM;
-        store(hair, kNoCentre, isLong && hair.followed.weights[0] > 0.0F);
+        store(batch, lane, m_clump.clump[lane], kNoCentre, isLong && hair.followed.weights[0] > 0.0F);
     }
-    m_clump.clump.fill(0.0F);
-    m_count = 0;
+    storeNodes(batch);
+    batch.count = 0;
 }
 
-void GatheredWriter::store(const Waiting& hair, std::uint32_t centre, bool isTailed)
+void GatheredWriter::lace(Batch& batch, std::size_t lane)
 {
+    const RootSet& roots = m_inputs.roots;
+    const GroupSettings& settings = m_inputs.settings;
+    const Gathering::TieState& tie = m_inputs.gathering.tieOf(batch.tie);
+    Waiting& hair = batch.hairs[lane];
+    const float start = hair.style.braidStart;
+    applyBraid(settings, hair.kind, wispChanceOf(roots.seed, roots.rankOfSlot[hair.slot]),
+               {.scalpM = batch.lanes.tautM[lane],
+                .lengthM = tie.coreFreeM,
+                .radiusM = braidRadiusM(settings, tie.coreFreeM)},
+               hair.style);
+    hair.style.braidStart = start;
+    const bool isBun = tie.tie.form == TieForm::Bun;
+    if (isBun) {
+        const float turns = coilTurns(tie.tie.bunRadiusM, tie.coreFreeM);
+        const float heightM = kCoilHeight * tie.tie.bunRadiusM * coilPathFraction(turns);
+        for (std::size_t i = m_ring; i < m_nodes; ++i)
+            StrandBlocks::store(m_nodesHd.data() + i * StrandBlocks::kNodeStride + lane,
+                                tie.lay.onCoil(heightM, static_cast<float>(i - m_ring) /
+                                                            static_cast<float>(m_nodes - 1 - m_ring)));
+        hair.style.braidTaper = 0;
+        hair.style.braidRadiusM = tie.tie.bunRadiusM;
+        hair.style.braidTurns = turns;
+    }
+    hair.followed = {.basis = {tie.core, tie.core, tie.core}, .weights = {1.0F, 0.0F, 0.0F}};
+    store(batch, lane, 0.0F, tie.core, !isBun);
+}
+
+void GatheredWriter::hang(Batch& batch, std::size_t lane)
+{
+    const RootSet& roots = m_inputs.roots;
+    const GroupSettings& settings = m_inputs.settings;
+    const Gathering& gathering = m_inputs.gathering;
+    Waiting& hair = batch.hairs[lane];
+    const float freeM = batch.lanes.freeM[lane];
+    hair.style.lengthM = batch.lanes.tautM[lane] + freeM;
+    if (settings.turnsMode != TurnsMode::PerHair)
+        hair.style.turns *= freeM / hair.looseM;
+    const std::uint32_t leader = gathering.leaderOf(hair.slot, m_inputs.locks, settings.locks.ragged);
+    const std::uint32_t leaderSlot = roots.basisSlot[leader];
+    const BasisStyles& basis = gathering.basis();
+    const bool isFollowing = hair.followed.weights[0] > 0.0F && basis[BasisQuantity::SegmentLength][leader] > 0.0F;
+    if (!isFollowing || leaderSlot == hair.slot || hair.own.isFlyaway)
+        return;
+    // Value of the curl map from which on hair gathers by all of the group's amount.
+    constexpr float kCurled = 0.2F;
+    const float gathered = settings.curl.gather * std::min(hair.curl / kCurled, 1.0F);
+    const float own = m_inputs.maps[MapSlot::Clump].scalar(roots.uv[hair.slot]);
+    const float clump = 1.0F - (1.0F - own) * (1.0F - gathered);
+    const bool isInStep = settings.turnsMode == TurnsMode::Coils && hair.style.turns > 0.0F;
+    if (clump > 0.0F || isInStep) {
+        const RootChance chance = chanceOf(roots.seed, roots.rankOfSlot[leaderSlot]);
+        hair.style.phase += (chance.phase - hair.style.phase) * (isInStep ? 1.0F : clump);
+    }
+    if (isInStep || clump > kTailKeepsStep)
+        hair.own = variationOf(settings.variation, roots.seed, roots.rankOfSlot[leaderSlot]);
+    if (!(clump > 0.0F))
+        return;
+    drawToLock(lane, leader, clump, glm::length(node(lane, m_ring + 1) - node(lane, m_ring)));
+    if (hair.followed.basis[0] != leader) {
+        const auto [weights, nearest] = std::pair(hair.followed.weights, hair.followed.basis);
+        hair.followed = {.basis = {leader, nearest[0], nearest[1]},
+                         .weights = {clump, (1.0F - clump) * weights[0], (1.0F - clump) * weights[1]}};
+        const float sum = hair.followed.weights[0] + hair.followed.weights[1] + hair.followed.weights[2];
+        for (float& weight : hair.followed.weights)
+            weight /= sum;
+    } else {
+        for (std::size_t k = 0; k < RootSet::kNeighbours; ++k)
+            hair.followed.weights[k] += ((k == 0 ? 1.0F : 0.0F) - hair.followed.weights[k]) * clump;
+    }
+}
+
+void GatheredWriter::drawToLock(std::size_t lane, std::uint32_t leader, float clump, float segmentM)
+{
+    const RootSet& roots = m_inputs.roots;
+    const BasisStyles& basis = m_inputs.gathering.basis();
+    m_clump.clump[lane] = clump;
+    m_clump.segmentM[lane] = segmentM;
+    m_clump.basisSegmentM[lane] = basis[BasisQuantity::SegmentLength][leader];
+    const glm::vec3 normal = roots.normalHd[roots.basisSlot[leader]];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        m_clump.leaderNormal.at(axis)[lane] = normal[static_cast<int>(axis)];
+    const std::size_t behind = m_nodes - m_ring;
+    const float* from = basis.restPositions.data() + StrandBlocks(static_cast<int>(behind)).index(leader, 0);
+    for (std::size_t row = 0; row < behind * 3; ++row)
+        m_basisHd[row * kLanes + lane] = from[row * kLanes];
+}
+
+void GatheredWriter::store(const Batch& batch, std::size_t lane, float clump, std::uint32_t centre, bool isTailed)
+{
+    const Waiting& hair = batch.hairs[lane];
     const std::size_t local = hair.slot - m_firstSlot;
     StrandStyle style = hair.style;
     style.wisp = static_cast<std::uint8_t>(style.wisp | StrandStyle::kTautBit);
@@ -182,7 +226,7 @@ void GatheredWriter::store(const Waiting& hair, std::uint32_t centre, bool isTai
     m_chunk.gathered.set(local);
     m_chunk.tailed.set(local, isTailed);
     m_chunk.styles[local] = style;
-    m_chunk.clump[local] = hair.clump;
+    m_chunk.clump[local] = clump;
     m_chunk.braidCentre[local] = centre;
     if (!m_inputs.locks.isOfBasis())
         m_chunk.lockLeader[local] = m_inputs.roots.neighbours[hair.slot][0];
@@ -192,7 +236,23 @@ void GatheredWriter::store(const Waiting& hair, std::uint32_t centre, bool isTai
     if (m_chunk.followed.empty())
         m_chunk.followed.resize(kChunkSlots);
     m_chunk.followed[local] = isTailed ? hair.followed : Followed{};
-    StrandBlocks(static_cast<int>(m_nodes)).write(m_chunk.restPositions, local, std::span(hair.nodesHd).first(m_nodes));
+}
+
+void GatheredWriter::storeNodes(const Batch& batch)
+{
+    const StrandBlocks blocks(static_cast<int>(m_nodes));
+    float* const to = m_chunk.restPositions.data();
+    const std::uint32_t first = batch.hairs[0].slot;
+    // Slots rise from hair to hair.
+    if (batch.count == kLanes && first % kLanes == 0 && batch.hairs.back().slot - first == kLanes - 1) {
+        std::ranges::copy(std::span(m_nodesHd).first(blocks.blockFloats()), to + blocks.index(first - m_firstSlot, 0));
+        return;
+    }
+    for (std::size_t lane = 0; lane < batch.count; ++lane) {
+        float* const hair = to + blocks.index(batch.hairs.at(lane).slot - m_firstSlot, 0);
+        for (std::size_t row = 0; row < m_nodes * 3; ++row)
+            hair[row * kLanes] = m_nodesHd[row * kLanes + lane];
+    }
 }
 
 } // namespace hairpaint::sim

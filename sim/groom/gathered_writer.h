@@ -3,13 +3,16 @@
 
 #include "sim/groom/chunk_builder.h"
 #include "sim/groom/clump_kernel.h"
+#include "sim/groom/gather_kernel.h"
 #include "sim/groom/strand_style.h"
 
 #include <array>
+#include <memory>
+#include <vector>
 
 namespace hairpaint::sim {
 
-/// Hairs whose tails are drawn to locks are kept until kLanes of them wait or finish() is called. One thread.
+/// Hairs are kept until kLanes of one tie wait or finish() is called. One thread.
 class GatheredWriter
 {
 public:
@@ -27,21 +30,40 @@ private:
         StrandStyle style;
         HairVariation own;
         Followed followed;
-        float clump = 0.0F;
-        std::array<glm::vec3, kMostNodes> nodesHd{};
+        BraidKind kind = BraidKind::None; ///< What its tail goes along the tie's core as; None: it hangs.
+        float curl = 0.0F;
+        float looseM = 0.0F; ///< Length if it were loose.
     };
-    /// Prepares the tail of a hair that hangs from the ring and is not braided.
-    void hang(Waiting& hair, const RootValues& values);
-    void store(const Waiting& hair, std::uint32_t centre, bool isTailed);
+    /// Hairs of one tie.
+    struct Batch
+    {
+        std::uint16_t tie = 0;
+        std::size_t count = 0;
+        std::array<Waiting, kLanes> hairs;
+        GatherLanes lanes;
+    };
+    [[nodiscard]] Batch& batchOf(std::uint16_t tie);
+    void lay(Batch& batch);
+    /// The tail goes along the core of the tie, as part of a braid or a bun.
+    void lace(Batch& batch, std::size_t lane);
+    /// The tail hangs from the ring: prepares drawing it to its lock.
+    void hang(Batch& batch, std::size_t lane);
+    void drawToLock(std::size_t lane, std::uint32_t leader, float clump, float segmentM);
+    /// Stores all of a hair but its nodes.
+    void store(const Batch& batch, std::size_t lane, float clump, std::uint32_t centre, bool isTailed);
+    void storeNodes(const Batch& batch);
+    [[nodiscard]] glm::vec3 node(std::size_t lane, std::size_t node) const
+    {
+        return StrandBlocks::load(m_nodesHd.data() + node * StrandBlocks::kNodeStride + lane);
+    }
 
     const ChunkInputs& m_inputs;
     StrandChunk& m_chunk;
     std::uint32_t m_firstSlot;
     std::size_t m_nodes;
     std::size_t m_ring;
-    std::array<Waiting, kLanes> m_hairs;
-    std::size_t m_count = 0;
-    ClumpTask m_clump; ///< Draws the tails of the hairs that wait to their locks.
+    std::vector<std::unique_ptr<Batch>> m_batches; ///< One a tie.
+    ClumpTask m_clump;                             ///< Draws tails to their locks.
     std::array<float, std::size_t{kMostNodes} * StrandBlocks::kNodeStride> m_nodesHd{};
     std::array<float, std::size_t{kMostNodes} * StrandBlocks::kNodeStride> m_basisHd{};
 };

@@ -17,7 +17,6 @@ namespace {
 
 constexpr float kShortestSolvedTailM = 0.005F;
 constexpr std::size_t kRootsAtOnce = 1024;
-constexpr std::size_t kTailsAtOnce = 16;
 
 bool isSoundTie(const Tie& tie)
 {
@@ -287,6 +286,59 @@ void Gathering::prepareStrings(const SlotSet& dirty)
         m_ties[i]->strings.prepare(faces[i]);
 }
 
+void Gathering::layTails(const BasisInputs& inputs, TieState& tie, std::span<const WantedTail> wanted,
+                         const BasisStyles& before, BasisStyles& next)
+{
+    const RootSet& roots = *m_roots;
+    const int nodes = inputs.settings.nodesPerHair;
+    const int ring = ringNode(nodes);
+    const auto rows = static_cast<std::size_t>(nodes - ring);
+    const StrandBlocks behind(nodes - ring);
+    std::array<float, std::size_t{kMostNodes} * StrandBlocks::kNodeStride> nodesHd;
+    std::array<RootValues, kLanes> values;
+    GatherLanes lanes;
+    for (std::size_t lane = 0; lane < wanted.size(); ++lane) {
+        const std::uint32_t basis = wanted[lane].second;
+        const std::uint32_t slot = roots.basisSlot[basis];
+        RootValues& value = values.at(lane);
+        value = valuesAt(inputs.maps, roots.uv[slot]);
+        tie.lay.put(lanes, lane, roots.face[slot], roots.positionHd[slot]);
+        lanes.chance[lane] = chanceOf(roots.seed, roots.rankOfSlot[slot]).coatHeight;
+        lanes.isCore[lane] = basis == tie.core ? 1.0F : 0.0F;
+        lanes.seen[lane] = value.curl > 0.0F ? seenOverCut(inputs.settings, value.curl, value.curlSize) : 1.0F;
+        lanes.cutM[lane] = inputs.basisLengthM[basis] / lanes.seen[lane];
+    }
+    tie.lay.lay(lanes, nodes, nodesHd, kShortestSolvedTailM);
+    for (std::size_t lane = 0; lane < wanted.size(); ++lane) {
+        const std::uint32_t basis = wanted[lane].second;
+        const std::uint32_t slot = roots.basisSlot[basis];
+        const float freeM = lanes.freeM[lane];
+        const float* const from =
+            nodesHd.data() + static_cast<std::size_t>(ring) * StrandBlocks::kNodeStride + lane;
+        const float* const was = before.restPositions.data() + behind.index(basis, 0);
+        float* const to = next.restPositions.data() + behind.index(basis, 0);
+        bool isSame = true;
+        for (std::size_t row = 0; row < rows * 3; ++row) {
+            to[row * kLanes] = from[row * kLanes];
+            isSame = isSame && from[row * kLanes] == was[row * kLanes];
+        }
+        m_relaid[basis] = isSame ? 0 : 1;
+        const RootValues& value = values.at(lane);
+        const bool isCore = basis == tie.core;
+        next[BasisQuantity::SegmentLength][basis] = lanes.lineM[lane] / static_cast<float>(rows - 1);
+        next[BasisQuantity::Gel][basis] = inputs.maps[MapSlot::Gel].scalar(roots.uv[slot]);
+        next[BasisQuantity::Give][basis] =
+            value.curl > 0.0F ? giveOf(coilOf(inputs.settings, value.curl, value.curlSize, freeM), freeM) : 0.0F;
+        next[BasisQuantity::Girth][basis] =
+            isCore
+                ? braidGirthM(lacedKind(static_cast<BraidKind>(inputs.kinds[slot])), braidRadiusM(inputs.settings, freeM))
+                : 0.0F;
+        next[BasisQuantity::Height][basis] = lanes.chance[lane];
+        if (isCore)
+            tie.coreFreeM = freeM;
+    }
+}
+
 void Gathering::updateBasis(const BasisInputs& inputs, const SlotSet& dirtyBasis, SlotSet& dirty)
 {
     const RootSet& roots = *m_roots;
@@ -301,7 +353,7 @@ void Gathering::updateBasis(const BasisInputs& inputs, const SlotSet& dirtyBasis
         next->resize(static_cast<int>(tailNodes), blocksFor(roots.basisSlot.size()));
     const BasisStyles before = *next;
     const StrandBlocks blocks(static_cast<int>(tailNodes));
-    std::vector<std::pair<TieState*, std::uint32_t>> wanted;
+    std::vector<WantedTail> wanted;
     std::ranges::fill(next->wanted, 0U);
     for (const std::unique_ptr<TieState>& tie : m_ties)
         for (const std::uint32_t basis : tie->basis) {
@@ -312,42 +364,13 @@ void Gathering::updateBasis(const BasisInputs& inputs, const SlotSet& dirtyBasis
                 (tie->isOtherCore && (basis == tie->core || basis == tie->formerCore)))
                 wanted.emplace_back(tie.get(), basis);
         }
-    parallelFor(wanted.size(), kTailsAtOnce, [&](std::size_t begin, std::size_t end) {
-        std::array<glm::vec3, kMostNodes> buffer{};
-        std::array<glm::vec3, kMostNodes> bufferBefore{};
-        const std::span<glm::vec3> nodes =
-            std::span(buffer).first(static_cast<std::size_t>(inputs.settings.nodesPerHair));
-        for (std::size_t w = begin; w < end; ++w) {
-            TieState& tie = *wanted[w].first;
-            const std::uint32_t basis = wanted[w].second;
-            const std::uint32_t slot = roots.basisSlot[basis];
-            const RootChance chance = chanceOf(roots.seed, roots.rankOfSlot[slot]);
-            const bool isCore = basis == tie.core;
-            const GatheredLay::Course course =
-                tie.lay.courseOf(roots.face[slot], roots.positionHd[slot], chance.coatHeight, isCore);
-            const RootValues values = valuesAt(inputs.maps, roots.uv[slot]);
-            const float seen = values.curl > 0.0F ? seenOverCut(inputs.settings, values.curl, values.curlSize) : 1.0F;
-            const float cutM = inputs.basisLengthM[basis] / seen;
-            const float tautM = tie.lay.layTaut(course, cutM, nodes);
-            const float freeM = std::max((cutM - tautM) * seen, kShortestSolvedTailM);
-            const float solvedM = tie.lay.layTail(course, freeM, nodes);
-            const std::span<glm::vec3> tail = nodes.subspan(static_cast<std::size_t>(ring));
-            const std::span<glm::vec3> tailBefore = std::span(bufferBefore).first(tail.size());
-            blocks.read(before.restPositions, basis, tailBefore);
-            m_relaid[basis] = std::ranges::equal(tail, tailBefore) ? 0 : 1;
-            blocks.write(next->restPositions, basis, tail);
-            const Coil coil =
-                values.curl > 0.0F ? coilOf(inputs.settings, values.curl, values.curlSize, freeM) : Coil{};
-            (*next)[BasisQuantity::SegmentLength][basis] = solvedM / static_cast<float>(tail.size() - 1);
-            (*next)[BasisQuantity::Gel][basis] = inputs.maps[MapSlot::Gel].scalar(roots.uv[slot]);
-            (*next)[BasisQuantity::Give][basis] = values.curl > 0.0F ? giveOf(coil, freeM) : 0.0F;
-            (*next)[BasisQuantity::Girth][basis] =
-                isCore ? braidGirthM(lacedKind(static_cast<BraidKind>(inputs.kinds[slot])),
-                                     braidRadiusM(inputs.settings, freeM))
-                       : 0.0F;
-            (*next)[BasisQuantity::Height][basis] = chance.coatHeight;
-            if (isCore)
-                tie.coreFreeM = freeM;
+    parallelFor(wanted.size(), kLanes, [&](std::size_t begin, std::size_t end) {
+        while (begin < end) {
+            std::size_t same = begin + 1;
+            while (same < end && same - begin < kLanes && wanted[same].first == wanted[begin].first)
+                ++same;
+            layTails(inputs, *wanted[begin].first, std::span(wanted).subspan(begin, same - begin), before, *next);
+            begin = same;
         }
     });
     const std::array<glm::vec3, kMostNodes> nothing{};

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace hairpaint::sim {
@@ -75,6 +76,10 @@ public:
     [[nodiscard]] const TieState& tieOf(std::uint16_t number) const;
 
 private:
+    using WantedTail = std::pair<TieState*, std::uint32_t>; ///< With its basis hair.
+    /// Lays the tails of at most kLanes solved hairs of one tie, which were as in `before`.
+    void layTails(const BasisInputs& inputs, TieState& tie, std::span<const WantedTail> wanted,
+                  const BasisStyles& before, BasisStyles& next);
     void takeTies(const Inputs& inputs);
     void readNumbers(const Inputs& inputs, MapChanges& changes, SlotSet& dirty);
     void findBasis();

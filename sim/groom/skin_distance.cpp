@@ -8,13 +8,11 @@ namespace hairpaint::sim {
 
 glm::vec3 SkinDistance::pushedOut(glm::vec3 point, float clearanceM, glm::vec3 centreHd) const
 {
-    constexpr float kLeastSlope2 = 0.04F;
     if (!m_grid) {
         const SurfacePoint nearest = m_skin->nearest(point);
         const float distanceM = glm::dot(point - nearest.positionHd, nearest.normalHd);
         return distanceM >= clearanceM ? point : point + nearest.normalHd * (clearanceM - distanceM);
     }
-    constexpr int kMostStrides = 8;
     for (int stride = 0; stride < kMostStrides; ++stride) {
         const std::optional<DistanceGrid::Sample> sample = m_grid->at(point);
         if (!sample || sample->distanceM >= clearanceM)

@@ -14,7 +14,6 @@ namespace {
 constexpr std::uint32_t kNoString = 0xFFFFFFFFU;
 constexpr std::size_t kCoarse = 3;           ///< Spans of a string at first; they are halved twice.
 constexpr std::array kPulls = {5, 4, 3};     ///< Times that a string is pulled before, between and after.
-constexpr float kStringClearanceM = 0.0005F; ///< Distance of a string from the skin.
 constexpr float kLeastHeadM = 0.03F;         ///< Least distance of the middle of the head from the strings' end,
 constexpr float kMostHeadM = 0.12F;          ///< and the greatest.
 constexpr float kLargeHeadM = 0.09F;         ///< That distance where a ray through the head meets no other side.
@@ -126,50 +125,10 @@ TautString TautStrings::pulled(glm::vec3 fromHd) const
     return string;
 }
 
-TautString TautStrings::from(std::uint32_t face, glm::vec3 positionHd) const
+std::array<std::uint32_t, 3> TautStrings::ofFace(std::uint32_t face) const
 {
-    const HeadMesh& mesh = m_distance.skin()->mesh();
-    const glm::uvec3 corners = mesh.triangles[face];
-    std::array<glm::vec3, 3> at;
-    std::array<const TautString*, 3> strings{};
-    for (int corner = 0; corner < 3; ++corner) {
-        at.at(static_cast<std::size_t>(corner)) = mesh.positionsHd[corners[corner]];
-        strings.at(static_cast<std::size_t>(corner)) = &m_strings[m_stringOf[corners[corner]]];
-    }
-    const glm::vec3 normal = glm::cross(at[1] - at[0], at[2] - at[0]);
-    const float area2 = std::max(glm::dot(normal, normal), 1e-24F);
-    std::array<float, 3> weights{};
-    weights[0] = std::max(glm::dot(glm::cross(at[1] - positionHd, at[2] - positionHd), normal) / area2, 0.0F);
-    weights[1] = std::max(glm::dot(glm::cross(at[2] - positionHd, at[0] - positionHd), normal) / area2, 0.0F);
-    weights[2] = std::max(glm::dot(glm::cross(at[0] - positionHd, at[1] - positionHd), normal) / area2, 0.0F);
-    const auto most = static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
-    // Strings that pass the head on the other side are none to take the mean with.
-    constexpr std::size_t kMiddle = kStringPoints / 2;
-    constexpr float kSlackM = 0.001F;
-    float sum = 0.0F;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        const float apartM = lengthOfVector(strings[i]->pointsHd[kMiddle] - strings[most]->pointsHd[kMiddle]);
-        weights[i] *= std::clamp(4.0F - apartM / (lengthOfVector(at[i] - at[most]) + kSlackM), 0.0F, 1.0F);
-        sum += weights[i];
-    }
-    if (!(sum > 0.0F)) {
-        weights[most] = 1.0F;
-        sum = 1.0F;
-    }
-    std::array<glm::vec3, 3> aside;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        weights[i] /= sum;
-        aside[i] = positionHd - at[i];
-    }
-    TautString string;
-    for (std::size_t k = 0; k < kStringPoints; ++k) {
-        const float left = 1.0F - static_cast<float>(k) / static_cast<float>(kStringPoints - 1);
-        glm::vec3 point(0.0F);
-        for (std::size_t i = 0; i < weights.size(); ++i)
-            point += (strings[i]->pointsHd[k] + aside[i] * left) * weights[i];
-        string.pointsHd[k] = point;
-    }
-    return string;
+    const glm::uvec3 corners = m_distance.skin()->mesh().triangles[face];
+    return {m_stringOf[corners.x], m_stringOf[corners.y], m_stringOf[corners.z]};
 }
 
 } // namespace hairpaint::sim

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/groom/skin_distance.h"
+#include "sim/groom/taut_string.h"
 
 #include <array>
 #include <cstdint>
@@ -10,17 +11,9 @@
 
 namespace hairpaint::sim {
 
-inline constexpr std::size_t kStringPoints = 13;
-
-/// Root first, about evenly spaced. Hd, m.
-struct TautString
-{
-    std::array<glm::vec3, kStringPoints> pointsHd;
-};
-
-/// The strings of the skin's vertices, made where they are asked for, and between them their mean. A string is laid as
-/// a great circle about the middle of the head and then pulled: each point to the middle of its neighbours and out of
-/// the skin, coarse to fine, so that it leaves the skin where the straight line to the end does, and spans hollows.
+/// The strings of the skin's vertices, made where they are asked for. A string is laid as a great circle about the middle
+/// of the head and then pulled: each point to the middle of its neighbours and out of the skin, coarse to fine, so that
+/// it leaves the skin where the straight line to the end does, and spans hollows.
 class TautStrings
 {
 public:
@@ -34,8 +27,10 @@ public:
 
     /// Makes the strings of these faces' vertices. Uses parallelFor.
     void prepare(std::span<const std::uint32_t> faces);
-    /// From a point of a face that was prepared. Any thread.
-    [[nodiscard]] TautString from(std::uint32_t face, glm::vec3 positionHd) const;
+    /// Those prepared so far.
+    [[nodiscard]] const std::vector<TautString>& strings() const { return m_strings; }
+    /// Indices of the strings of a face's vertices; the face was prepared. Any thread.
+    [[nodiscard]] std::array<std::uint32_t, 3> ofFace(std::uint32_t face) const;
 
 private:
     using Points = std::array<glm::vec3, kStringPoints>;

@@ -36,22 +36,6 @@ glm::vec3 halfGradient(const Collider& c, glm::vec3 p)
             c.squares[2] * p.z + 0.5F * (c.mixed[1] * p.x + c.mixed[2] * p.y)};
 }
 
-SkinField fieldOf(const DistanceGrid& grid)
-{
-    constexpr float kDiagonal = 1.7320508F; // Nowhere does a distance change faster than the position.
-    const GridLayout& layout = grid.layout();
-    const float unitsACell = layout.cellM / DistanceGrid::kUnitM;
-    return {.pairs = grid.pairs().data(),
-            .origin = {layout.originHd.x, layout.originHd.y, layout.originHd.z},
-            .last = {static_cast<float>(layout.size.x - 1), static_cast<float>(layout.size.y - 1),
-                     static_cast<float>(layout.size.z - 1)},
-            .inverseCell = 1.0F / layout.cellM,
-            .row = layout.size.x,
-            .slice = layout.size.x * layout.size.y,
-            .unitsACell = unitsACell,
-            .unitsADiagonal = kDiagonal * unitsACell};
-}
-
 } // namespace
 
 float Collider::radius2(glm::vec3 pHd) const
@@ -75,7 +59,7 @@ ColliderSet prepareColliders(std::span<const Ellipsoid> ellipsoids, std::shared_
 {
     ColliderSet set;
     if (grid) {
-        set.skin = fieldOf(*grid);
+        set.skin = skinFieldOf(*grid);
         set.grid = std::move(grid);
     }
     for (const Ellipsoid& e : ellipsoids) {

@@ -1,11 +1,10 @@
 // The head's ellipsoids and its skin as the kernels read them, and how close to them a strand may come.
 #pragma once
 
-#include "sim/skin/distance_grid.h"
 #include "sim/skin/ellipsoid.h"
+#include "sim/skin/skin_field.h"
 
 #include <array>
-#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -28,20 +27,6 @@ struct Collider
     [[nodiscard]] float radius2(glm::vec3 pHd) const;
     /// The nearest point outside the ellipsoid scaled by `scale`, to first order; pHd itself where it is outside.
     [[nodiscard]] glm::vec3 pushedOut(glm::vec3 pHd, float scale) const;
-};
-
-/// A DistanceGrid, of which the kernels read two pairs at once.
-struct SkinField
-{
-    const DistanceGrid::Pair* pairs = nullptr; ///< [z][y][x], null where there is no grid.
-    std::array<float, 3> origin{};
-    std::array<float, 3> last{}; ///< Coordinates in cells lie in 0..last, the end excluded.
-    float inverseCell = 1.0F;    ///< 1/m
-    std::int32_t row = 0;        ///< Pairs from one y to the next.
-    std::int32_t slice = 0;      ///< Pairs from one z to the next.
-    float unitsACell = 1.0F;     ///< A cell's side, in units of the values.
-    /// A cell's diagonal in those units: no value in a cell differs by more from one at its corners.
-    float unitsADiagonal = 1.0F;
 };
 
 inline constexpr float kSkinClearanceM = 0.0003F; ///< Straight hair stays that far from the skin.

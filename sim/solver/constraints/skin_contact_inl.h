@@ -7,33 +7,12 @@
 #define HAIRPAINT_SIM_SKIN_CONTACT_INL_H_
 #endif
 
+#include "sim/skin/skin_field_inl.h"
 #include "sim/solver/constraints/contact_inl.h"
 #include "sim/solver/solver_layout.h"
 
-#include <bit>
-
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
-
-/// Values of four neighbours: those at the lower x, and the differences to those at the higher x.
-struct CellFace
-{
-    Lanes low, rise;           ///< At the lower y.
-    Lanes lowAbove, riseAbove; ///< At the higher y.
-};
-
-/// Reads four neighbours by one 32-bit load a lane; the grid is padded at its end, so that a load there stays inside.
-HWY_INLINE CellFace cellFace(const DistanceGrid::Pair* HWY_RESTRICT pairs, Ints offset)
-{
-    static_assert(std::endian::native == std::endian::little && sizeof(DistanceGrid::Pair) == 2);
-    const IntTag di;
-    const Ints word = hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(pairs), hn::Add(offset, offset));
-    const Ints low = hn::ShiftRight<24>(hn::ShiftLeft<24>(word));
-    const Ints lowAbove = hn::ShiftRight<24>(hn::ShiftLeft<16>(word));
-    const Ints high = hn::ShiftRight<24>(hn::ShiftLeft<8>(word));
-    const Ints highAbove = hn::ShiftRight<24>(word);
-    return {asFloats(low), asFloats(hn::Sub(high, low)), asFloats(lowAbove), asFloats(hn::Sub(highAbove, lowAbove))};
-}
 
 /// Moves p so far from the skin, all in metres: to first order and at most `furthest`. Returns whether any lane was
 /// nearer.
