@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 // After foreach_target.
 #include "sim/groom/skin_distance_inl.h"
+#include "sim/groom/unit_vector_inl.h"
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -20,23 +21,6 @@ constexpr std::size_t kSpans = kStringPoints - 1;
 constexpr std::int32_t kTailPointFloats = 9;
 static_assert(sizeof(TautString) == 3 * kStringPoints * sizeof(float));
 static_assert(sizeof(TailPoint) == kTailPointFloats * sizeof(float));
-
-HWY_INLINE Lanes lengthOf(const Lanes3& v)
-{
-    return root(dot(v, v));
-}
-
-HWY_INLINE Lanes3 quotient(const Lanes3& v, Lanes by)
-{
-    return {v.x / by, v.y / by, v.z / by};
-}
-
-/// As unitVectorOr() of unit_vector.h.
-HWY_INLINE Lanes3 unitOr(const Lanes3& v, const Lanes3& fallback)
-{
-    const Lanes length = lengthOf(v);
-    return select(length > 1e-9F, quotient(v, length), fallback);
-}
 
 HWY_INLINE Lanes3 gathered3(const float* from, Ints index)
 {

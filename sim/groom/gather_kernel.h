@@ -32,10 +32,10 @@ struct GatherLanes
     std::array<Row, 3> rootHd{};
     /// Those of the vertices of its face: indices of their first numbers among the tie's strings.
     std::array<std::array<std::int32_t, kLanes>, 3> strings{};
-    Row chance{}; ///< 0..1, the hair's own.
-    Row isCore{}; ///< 1: it goes through the middle of the ring. 0: through its own point there.
-    Row cutM{};   ///< Its length.
-    Row seen{};   ///< Length behind the ring over what is left there of `cutM`.
+    Row chance{};     ///< 0..1, the hair's own.
+    Row isCore{};     ///< 1: it goes through the middle of the ring. 0: through its own point there.
+    Row cutM{};       ///< Its length.
+    Row seen{};       ///< Length behind the ring over what is left there of `cutM`.
     Row givenFreeM{}; ///< Length along which it is laid behind the ring; 0: its own, `freeM`.
     // What the kernel finds.
     Row tautM{}; ///< Length of the curve to the ring; `cutM` where it does not get there.

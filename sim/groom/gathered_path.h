@@ -15,7 +15,8 @@ namespace hairpaint::sim {
 /// group.
 [[nodiscard]] int ringNode(int nodes);
 
-/// Lays the hair of one tie: kLanes hairs at once, by gatherLanes(). Immutable; any thread. Must not outlive the strings.
+/// Lays the hair of one tie: kLanes hairs at once, by gatherLanes(). Immutable; any thread. Must not outlive the
+/// strings.
 class GatheredLay
 {
 public:

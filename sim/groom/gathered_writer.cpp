@@ -133,20 +133,19 @@ void GatheredWriter::lace(Batch& batch, std::size_t lane)
     const Gathering::TieState& tie = m_inputs.gathering.tieOf(batch.tie);
     Waiting& hair = batch.hairs[lane];
     const float start = hair.style.braidStart;
-    applyBraid(settings, hair.kind, wispChanceOf(roots.seed, roots.rankOfSlot[hair.slot]),
-               {.scalpM = batch.lanes.tautM[lane],
-                .lengthM = tie.coreFreeM,
-                .radiusM = braidRadiusM(settings, tie.coreFreeM)},
-               hair.style);
+    applyBraid(
+        settings, hair.kind, wispChanceOf(roots.seed, roots.rankOfSlot[hair.slot]),
+        {.scalpM = batch.lanes.tautM[lane], .lengthM = tie.coreFreeM, .radiusM = braidRadiusM(settings, tie.coreFreeM)},
+        hair.style);
     hair.style.braidStart = start;
     const bool isBun = tie.tie.form == TieForm::Bun;
     if (isBun) {
         const float turns = coilTurns(tie.tie.bunRadiusM, tie.coreFreeM);
         const float heightM = kCoilHeight * tie.tie.bunRadiusM * coilPathFraction(turns);
         for (std::size_t i = m_ring; i < m_nodes; ++i)
-            StrandBlocks::store(m_nodesHd.data() + i * StrandBlocks::kNodeStride + lane,
-                                tie.lay.onCoil(heightM, static_cast<float>(i - m_ring) /
-                                                            static_cast<float>(m_nodes - 1 - m_ring)));
+            StrandBlocks::store(
+                m_nodesHd.data() + i * StrandBlocks::kNodeStride + lane,
+                tie.lay.onCoil(heightM, static_cast<float>(i - m_ring) / static_cast<float>(m_nodes - 1 - m_ring)));
         hair.style.braidTaper = 0;
         hair.style.braidRadiusM = tie.tie.bunRadiusM;
         hair.style.braidTurns = turns;

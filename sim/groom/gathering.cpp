@@ -3,10 +3,10 @@
 
 #include "sim/base/parallel.h"
 #include "sim/groom/braid_path.h"
+#include "sim/groom/gathered_tails.h"
 #include "sim/groom/strand_style.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -313,8 +313,7 @@ void Gathering::layTails(const BasisInputs& inputs, TieState& tie, std::span<con
         const std::uint32_t basis = wanted[lane].second;
         const std::uint32_t slot = roots.basisSlot[basis];
         const float freeM = lanes.freeM[lane];
-        const float* const from =
-            nodesHd.data() + static_cast<std::size_t>(ring) * StrandBlocks::kNodeStride + lane;
+        const float* const from = nodesHd.data() + static_cast<std::size_t>(ring) * StrandBlocks::kNodeStride + lane;
         const float* const was = before.restPositions.data() + behind.index(basis, 0);
         float* const to = next.restPositions.data() + behind.index(basis, 0);
         bool isSame = true;
@@ -329,10 +328,9 @@ void Gathering::layTails(const BasisInputs& inputs, TieState& tie, std::span<con
         next[BasisQuantity::Gel][basis] = inputs.maps[MapSlot::Gel].scalar(roots.uv[slot]);
         next[BasisQuantity::Give][basis] =
             value.curl > 0.0F ? giveOf(coilOf(inputs.settings, value.curl, value.curlSize, freeM), freeM) : 0.0F;
-        next[BasisQuantity::Girth][basis] =
-            isCore
-                ? braidGirthM(lacedKind(static_cast<BraidKind>(inputs.kinds[slot])), braidRadiusM(inputs.settings, freeM))
-                : 0.0F;
+        next[BasisQuantity::Girth][basis] = isCore ? braidGirthM(lacedKind(static_cast<BraidKind>(inputs.kinds[slot])),
+                                                                 braidRadiusM(inputs.settings, freeM))
+                                                   : 0.0F;
         next[BasisQuantity::Height][basis] = lanes.chance[lane];
         if (isCore)
             tie.coreFreeM = freeM;
@@ -421,86 +419,9 @@ void Gathering::findClumped(const BasisInputs& inputs, SlotSet& dirty) const
     });
 }
 
-std::shared_ptr<const StrandChunk> tailsOf(const StrandChunk& chunk, int nodes)
-{
-    if ((chunk.tailed & chunk.drawn).none())
-        return nullptr;
-    const auto ring = static_cast<std::size_t>(ringNode(nodes));
-    const std::size_t rows = static_cast<std::size_t>(nodes) - ring;
-    auto tails = std::make_shared<StrandChunk>();
-    tails->hairs = tails->drawn = chunk.tailed & chunk.drawn;
-    tails->styles.resize(kChunkSlots);
-    tails->clump.assign(kChunkSlots, 0.0F);
-    tails->followed.resize(kChunkSlots);
-    tails->braidCentre.assign(kChunkSlots, kNoCentre);
-    tails->segmentLengths.assign(kChunkSlots, 0.0F);
-    const StrandBlocks whole(nodes);
-    const StrandBlocks behind(static_cast<int>(rows));
-    tails->restPositions.assign(behind.floatsFor(kBlocksPerChunk), 0.0F);
-    tails->leastDetail.fill(StrandStyle{}.detail);
-    for (std::size_t slot = 0; slot < kChunkSlots; ++slot) {
-        if (!tails->hairs[slot])
-            continue;
-        tails->styles[slot] = chunk.styles[slot];
-        tails->clump[slot] = chunk.clump[slot];
-        tails->followed[slot] = chunk.followed[slot];
-        for (std::size_t row = 0; row < rows; ++row)
-            behind.setNode(tails->restPositions, slot, row, whole.node(chunk.restPositions, slot, ring + row));
-        const glm::vec3 first =
-            whole.node(chunk.restPositions, slot, ring + 1) - whole.node(chunk.restPositions, slot, ring);
-        tails->segmentLengths[slot] = std::sqrt(glm::dot(first, first));
-        float& least = tails->leastDetail[slot / kLanes];
-        least = std::min(least, chunk.styles[slot].detail);
-    }
-    return tails;
-}
-
 void Gathering::makeTails(const Groom* before, Groom& groom) const
 {
-    if (isOff() || !m_basis) {
-        groom.tails = nullptr;
-        return;
-    }
-    const Groom* known = before != nullptr && before->roots == groom.roots && before->nodes == groom.nodes
-                             ? before->tails.get()
-                             : nullptr;
-    auto tails = std::make_shared<Groom>();
-    tails->groupId = groom.groupId;
-    tails->visible = groom.visible;
-    tails->settings = groom.settings;
-    tails->nodes = groom.nodes - ringNode(groom.nodes);
-    tails->settings.nodesPerHair = tails->nodes;
-    tails->roots = groom.roots;
-    tails->isOfTails = true;
-    tails->basis = m_basis;
-    tails->chunks.resize(groom.chunks.size());
-    tails->packedChunk.assign(groom.chunks.size(), -1);
-    bool isSame = known != nullptr && known->basis == m_basis && known->visible == tails->visible &&
-                  known->settings == tails->settings;
-    parallelFor(groom.chunks.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::shared_ptr<const StrandChunk>& chunk = groom.chunks[i];
-            if (known != nullptr && before->chunks[i] == chunk)
-                tails->chunks[i] = known->chunks[i];
-            else if (chunk && chunk->tailed.any())
-                tails->chunks[i] = tailsOf(*chunk, groom.nodes);
-        }
-    });
-    for (std::size_t i = 0; i < tails->chunks.size(); ++i) {
-        isSame = isSame && tails->chunks[i] == known->chunks[i];
-        if (!tails->chunks[i])
-            continue;
-        tails->packedChunk[i] = tails->packedChunks++;
-        tails->hairCount += tails->chunks[i]->hairs.count();
-    }
-    if (tails->packedChunks == 0) {
-        groom.tails = nullptr; // Nothing hangs.
-        return;
-    }
-    tails->drawnCount = tails->hairCount;
-    for (const std::uint32_t lanes : m_basis->wanted)
-        tails->basisCount += static_cast<std::size_t>(std::popcount(lanes));
-    groom.tails = isSame ? before->tails : std::move(tails);
+    groom.tails = isOff() || !m_basis ? nullptr : tailsOf(groom, m_basis, before);
 }
 
 } // namespace hairpaint::sim

@@ -107,7 +107,4 @@ private:
     std::vector<std::uint8_t> m_moved;  ///< and 1 where it belongs to another tie now.
 };
 
-/// The part of a chunk's gathered hairs behind the ring; null where none has a tail.
-[[nodiscard]] std::shared_ptr<const StrandChunk> tailsOf(const StrandChunk& chunk, int nodes);
-
 } // namespace hairpaint::sim

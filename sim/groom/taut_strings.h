@@ -11,9 +11,7 @@
 
 namespace hairpaint::sim {
 
-/// The strings of the skin's vertices, made where they are asked for. A string is laid as a great circle about the middle
-/// of the head and then pulled: each point to the middle of its neighbours and out of the skin, coarse to fine, so that
-/// it leaves the skin where the straight line to the end does, and spans hollows.
+/// The strings of the skin's vertices, made where they are asked for: see pullLanes().
 class TautStrings
 {
 public:
@@ -33,11 +31,8 @@ public:
     [[nodiscard]] std::array<std::uint32_t, 3> ofFace(std::uint32_t face) const;
 
 private:
-    using Points = std::array<glm::vec3, kStringPoints>;
-    [[nodiscard]] TautString pulled(glm::vec3 fromHd) const;
-    /// Lays the coarse points, those in between by a great circle that is led to a side; returns the length.
-    float layCoarse(Points& points, glm::vec3 aside) const;
-    void pull(Points& points, std::size_t stride, int times) const;
+    /// At most kLanes.
+    void pull(std::span<TautString> strings, std::span<const std::uint32_t> vertices) const;
 
     SkinDistance m_distance;
     glm::vec3 m_endHd{0.0F};

@@ -88,6 +88,27 @@ private Q_SLOTS:
         });
     }
 
+    void hairOfTiesInTurnsLiesAsIfItsNeighboursWereLoose()
+    {
+        GroomInput input = tiedBall(2000);
+        GroomInput::Group& group = input.groups.front();
+        group.ties.push_back(tieAt(2, {0.7F, 0.5F, -0.5F}));
+        for (int stripe = 0; stripe < 25; ++stripe) {
+            const float fromU = 0.04F * static_cast<float>(stripe);
+            paintSquare(group.gathered, {fromU, 0.5F}, {fromU + 0.02F, 0.95F}, 2);
+        }
+        const auto both = groomed(input);
+        group.ties.pop_back();
+        const auto one = groomed(input);
+        int count = 0;
+        forEachGathered(*one, [&](std::uint32_t slot, const StrandStyle&, bool) {
+            for (int node = 0; node <= ringNode(one->nodes); ++node)
+                QVERIFY(restNode(*both, slot, node) == restNode(*one, slot, node));
+            ++count;
+        });
+        QVERIFY2(count > 300, qPrintable(QString::number(count)));
+    }
+
     void randomEditsEqualAFreshBuild_data()
     {
         QTest::addColumn<int>("seed");
