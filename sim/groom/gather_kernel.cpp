@@ -176,7 +176,7 @@ HWY_INLINE Lanes3 onCourse(const GatherTask& task, const Courses& courses, Lanes
 /// The points of the tail so far behind the ring.
 HWY_INLINE Lanes3 onTail(const GatherTask& task, const Courses& courses, Lanes along)
 {
-    constexpr float kLastPoint = static_cast<float>(kTailPoints - 1);
+    constexpr auto kLastPoint = static_cast<float>(kTailPoints - 1);
     const IntTag di;
     const Lanes at = least(along / kTailStepM, kLastPoint);
     const Ints index = hn::Min(asInts(at), hn::Set(di, static_cast<std::int32_t>(kTailPoints) - 2));
