@@ -21,7 +21,7 @@ public:
     [[nodiscard]] const std::shared_ptr<const Skin>& skin() const { return m_skin; }
     /// Without pairs where there is no grid.
     [[nodiscard]] const SkinField& field() const { return m_field; }
-    /// (pushedOut() of skin_distance_inl.h gives lanes the same bytes.) `point` itself where it is at least
+    /// (For lanes: pushedOut() of skin_distance_inl.h.) `point` itself where it is at least
     /// `clearanceM` from the skin, else moved out so far, to first order; from deep inside away from `centreHd`.
     static constexpr float kLeastSlope2 = 0.04F; ///< Square of the least slope by which a point is moved.
     static constexpr int kMostStrides = 8;       ///< Moves of a point that is deeper than distances are known.

@@ -25,7 +25,7 @@ HWY_INLINE Lanes3 pushedOutOneByOne(const SkinDistance& distance, const Lanes3& 
     return loaded3(at);
 }
 
-/// The same bytes as SkinDistance::pushedOut().
+/// As SkinDistance::pushedOut(), operation by operation.
 HWY_INLINE Lanes3 pushedOut(const SkinDistance& distance, Lanes3 point, Lanes clearance, const glm::vec3& centreHd)
 {
     if (distance.field().pairs == nullptr)

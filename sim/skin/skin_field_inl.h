@@ -42,7 +42,7 @@ struct FieldSample
     Lanes3 gradient;
 };
 
-/// The same bytes as DistanceGrid::at().
+/// As DistanceGrid::at(), operation by operation.
 HWY_INLINE FieldSample sampleField(const SkinField& skin, const Lanes3& p)
 {
     const IntTag di;
