@@ -12,6 +12,7 @@ namespace hairpaint::model {
 
 namespace {
 
+constexpr std::uint16_t kOtherShade = 47000; ///< Of 65535.
 constexpr sim::Texel kNight{0, 0, 0, 0};
 constexpr sim::Texel kPaper{65535, 65535, 65535, 0};
 
@@ -53,16 +54,20 @@ void chooseIndices(const sim::Texel& first, const sim::Texel& second, std::span<
         *values++ = (fraction < kHalfCoverage ? first : second)[0];
 }
 
-/// An index of 0, or of no entry, is the paper.
+/// A number of 0, or of no entry, is the paper.
 void indicesToColours(const MapSpec& spec, bool nightPaper, const std::uint16_t* values, std::size_t step,
                       std::size_t count, std::uint16_t* colours)
 {
     for (std::size_t texel = 0; texel < count; ++texel) {
-        const std::size_t index = values[texel * step];
+        const std::uint16_t number = values[texel * step];
+        const std::size_t entry = spec.entryOf(number);
         sim::Texel rgb = nightPaper ? kNight : kPaper;
-        if (index > 0 && index < spec.palette.size()) {
-            const QRgb colour = spec.palette[index].colour;
+        if (entry > 0) {
+            const QRgb colour = spec.palette[entry].colour;
             rgb = {widened(qRed(colour)), widened(qGreen(colour)), widened(qBlue(colour)), 0};
+            if ((number - entry) % 2 != 0) // Every other row, so that two that touch are seen as two.
+                for (std::size_t channel = 0; channel < 3; ++channel)
+                    rgb[channel] = mul16(rgb[channel], kOtherShade);
         }
         colours = std::copy_n(rgb.begin(), 3, colours);
     }
@@ -105,13 +110,13 @@ sim::Texel texelOfIndex(const PaintValue& value)
 
 QString indexText(const sim::GroupSettings& /*settings*/, const MapSpec& spec, const PaintValue& value)
 {
-    const auto index = static_cast<std::size_t>(std::max(value.index, 0));
-    return index < spec.palette.size() ? spec.palette[index].titleText() : QString::number(value.index);
+    const std::size_t entry = spec.entryOf(value.index);
+    return entry > 0 || value.index == 0 ? spec.palette[entry].titleText() : QString::number(value.index);
 }
 
-std::uint16_t lastOfPalette(const MapSpec& spec)
+std::uint16_t lastIndex(const MapSpec& spec)
 {
-    return static_cast<std::uint16_t>(spec.palette.size() - 1);
+    return std::max(static_cast<std::uint16_t>(spec.palette.size() - 1), spec.lastNumber);
 }
 
 } // namespace hairpaint::model

@@ -22,6 +22,6 @@ void indicesFromGreys(const MapSpec& spec, std::span<sim::Texel> texels);
 [[nodiscard]] PaintValue indexOfTexel(const sim::Texel& texel);
 [[nodiscard]] sim::Texel texelOfIndex(const PaintValue& value);
 [[nodiscard]] QString indexText(const sim::GroupSettings& /*settings*/, const MapSpec& spec, const PaintValue& value);
-[[nodiscard]] std::uint16_t lastOfPalette(const MapSpec& spec);
+[[nodiscard]] std::uint16_t lastIndex(const MapSpec& spec);
 
 } // namespace hairpaint::model

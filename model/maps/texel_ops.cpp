@@ -205,7 +205,7 @@ constexpr std::array kOps{
              .paintValue = indexOfTexel,
              .texel = texelOfIndex,
              .text = indexText,
-             .greatest = lastOfPalette},
+             .greatest = lastIndex},
     TexelOps{.kind = TexelKind::Colour,
              .continuous = true,
              .lay = layValues<3>,

@@ -2,6 +2,7 @@
 #include "model/project/map_spec.h"
 
 #include "model/project/project.h"
+#include "sim/groom/groom.h"
 
 #include <QCoreApplication>
 
@@ -85,6 +86,7 @@ std::array<MapSpec, kMapKindCount> makeTable()
                 .texel = TexelKind::Index,
                 .scaleColour = 0xFFFF00FF,
                 .palette = kBraidPalette,
+                .lastNumber = sim::kLastRowNumber,
                 .blendModes = kReplacing,
                 .firstPaint = {.index = kPlait}},
         MapSpec{.kind = MapKind::Colour,
@@ -192,6 +194,13 @@ float squaredDistance(const std::array<float, 3>& a, const std::array<float, 3>&
 QString PaletteEntry::titleText() const
 {
     return QCoreApplication::translate("MapSpec", title);
+}
+
+std::size_t MapSpec::entryOf(int number) const
+{
+    if (number < 0 || number > std::max(static_cast<int>(palette.size()) - 1, static_cast<int>(lastNumber)))
+        return 0;
+    return std::min(static_cast<std::size_t>(number), palette.size() - 1);
 }
 
 QString MapSpec::titleText() const

@@ -58,6 +58,9 @@ struct MapSpec
     const MapScale* scale = nullptr; ///< Unit and range of a scalar map; null for other maps.
     QRgb scaleColour; ///< The colour of a scalar map at 1; for other maps, the colour that stands for the map.
     std::span<const PaletteEntry> palette = {}; ///< Entries of an index map; empty for other maps.
+    /// The greatest number of an index map whose numbers beyond the palette are its last entry too: things of one kind
+    /// that stay apart where they touch. 0: there are none.
+    std::uint16_t lastNumber = 0;
     std::span<const BlendMode> blendModes = {};
     PaintValue firstPaint = {}; ///< The value that painting starts with.
     /// Where nothing is painted a map shows its rule's default value, or another map of the group (one that stands
@@ -69,6 +72,8 @@ struct MapSpec
 
     [[nodiscard]] QString titleText() const;  ///< Translated.
     [[nodiscard]] QString letterText() const; ///< Translated.
+    /// Index into `palette` of what a number of an index map stands for; 0 for a number that stands for nothing.
+    [[nodiscard]] std::size_t entryOf(int number) const;
     [[nodiscard]] int layerChannels() const { return valueChannels + 1; }
     [[nodiscard]] bool bilinear() const { return sim::ruleOf(kind).sampling == sim::MapSampling::Bilinear; }
 };

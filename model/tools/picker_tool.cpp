@@ -59,8 +59,10 @@ void pickValue(const ToolEvent& event, ToolContext& context)
     if (map == nullptr || (event.area == Area::Head && !point))
         return;
     const MapSpec& spec = mapSpec(context.target.map);
-    context.settings.value(spec.kind) =
-        texelOps(spec).paintValue(map->sampleNearest(event.hair ? point->uv : event.uv));
+    PaintValue value = texelOps(spec).paintValue(map->sampleNearest(event.hair ? point->uv : event.uv));
+    if (spec.texel == TexelKind::Index)
+        value.index = static_cast<int>(spec.entryOf(value.index)); // A row's number is chosen by each stroke.
+    context.settings.value(spec.kind) = value;
 }
 
 bool picksInstead(const ToolEvent& event, ToolContext& context)

@@ -79,7 +79,7 @@ RasterTilePtr lacedTile(const TiledRaster& braid, const TiledRaster& density, in
 std::optional<std::size_t> patchAt(const PatchLabels& labels, glm::vec2 uv, std::uint8_t kind, float texel)
 {
     const auto isOfKind = [&](std::optional<std::size_t> patch) {
-        return patch && labels.patches()[*patch].kind == kind;
+        return patch && static_cast<std::uint8_t>(braidKindOf(labels.patches()[*patch].kind)) == kind;
     };
     if (const std::optional<std::size_t> own = labels.at(uv); isOfKind(own))
         return own;

@@ -31,9 +31,9 @@ struct Braid
 };
 
 /// Touching texels of one kind on which hair grows are a patch, also across seams; so bare or unpainted skin is a
-/// parting. A cornrow's patch is a single braid along it. Another patch has braids at least the group's spacing apart,
-/// each then moved to the middle of the hairs that are nearest to it. All hairs of a patch belong to its nearest
-/// braid. One thread at a time.
+/// parting. A cornrow's patch is a single braid along it; texels of another row's number are another patch. Another
+/// patch has braids at least the group's spacing apart, each then moved to the middle of the hairs that are nearest to
+/// it. All hairs of a patch belong to its nearest braid. One thread at a time.
 class BraidLayout
 {
 public:

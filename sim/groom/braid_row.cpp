@@ -13,7 +13,6 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr std::size_t kMostRoots = 512;
 constexpr std::size_t kPoints = 33;
 constexpr std::size_t kBins = 14;
 constexpr float kFar = std::numeric_limits<float>::max();
@@ -22,10 +21,8 @@ constexpr float kFar = std::numeric_limits<float>::max();
 class RootGraph
 {
 public:
-    RootGraph(const RootSet& roots, std::span<const std::uint32_t> slots)
+    explicit RootGraph(std::span<const glm::vec3> positionsHd) : m_positionsHd(positionsHd.begin(), positionsHd.end())
     {
-        for (const std::uint32_t slot : slots)
-            m_positionsHd.push_back(roots.positionHd[slot]);
         // In units of the mean distance of nearest roots: far enough that a strip of even roots holds together.
         constexpr float kReach = 4.0F;
         float sumM = 0.0F;
@@ -37,6 +34,7 @@ public:
             sumM += nearest < kFar ? nearest : 0.0F;
         }
         m_reachM = kReach * sumM / static_cast<float>(std::max<std::size_t>(m_positionsHd.size(), 1));
+        bridge();
     }
 
     /// Lengths of the shortest paths over the graph from one root, by root; kFar where there is none.
@@ -48,16 +46,25 @@ public:
         distances[from] = 0.0F;
         open.emplace(0.0F, from);
         while (!open.empty()) {
-            const auto [soFar, at] = open.top();
+            const float soFar = open.top().first;
+            const std::size_t at = open.top().second;
             open.pop();
             if (soFar > distances[at])
                 continue;
-            for (std::size_t next = 0; next < m_positionsHd.size(); ++next) {
-                const float stepM = lengthOfVector(m_positionsHd[next] - m_positionsHd[at]);
-                if (stepM <= m_reachM && soFar + stepM < distances[next]) {
+            const auto step = [&](std::size_t next, float stepM) {
+                if (soFar + stepM < distances[next]) {
                     distances[next] = soFar + stepM;
                     open.emplace(distances[next], next);
                 }
+            };
+            for (std::size_t next = 0; next < m_positionsHd.size(); ++next)
+                if (const float stepM = lengthOfVector(m_positionsHd[next] - m_positionsHd[at]); stepM <= m_reachM)
+                    step(next, stepM);
+            for (const Bridge& one : m_bridges) {
+                if (one.from == at)
+                    step(one.to, one.lengthM);
+                if (one.to == at)
+                    step(one.from, one.lengthM);
             }
         }
         return distances;
@@ -65,7 +72,32 @@ public:
     [[nodiscard]] std::span<const glm::vec3> positionsHd() const { return m_positionsHd; }
 
 private:
+    struct Bridge
+    {
+        std::size_t from = 0, to = 0;
+        float lengthM = 0.0F;
+    };
+
+    /// Where hair is thin a strip falls apart; the shortest way between its pieces joins them.
+    void bridge()
+    {
+        while (!m_positionsHd.empty()) {
+            const std::vector<float> distances = distancesFrom(0);
+            Bridge best{.lengthM = kFar};
+            for (std::size_t from = 0; from < m_positionsHd.size(); ++from)
+                for (std::size_t to = 0; distances[from] < kFar && to < m_positionsHd.size(); ++to)
+                    if (distances[to] == kFar)
+                        if (const float lengthM = lengthOfVector(m_positionsHd[to] - m_positionsHd[from]);
+                            lengthM < best.lengthM)
+                            best = {.from = from, .to = to, .lengthM = lengthM};
+            if (best.lengthM == kFar)
+                return;
+            m_bridges.push_back(best);
+        }
+    }
+
     std::vector<glm::vec3> m_positionsHd;
+    std::vector<Bridge> m_bridges;
     float m_reachM = 0.0F;
 };
 
@@ -107,7 +139,15 @@ std::vector<glm::vec3> evenly(std::span<const glm::vec3> line, std::size_t count
 
 BraidRow rowAlong(const RootSet& roots, std::span<const std::uint32_t> slots)
 {
-    const RootGraph graph(roots, slots.first(std::min(slots.size(), kMostRoots)));
+    std::vector<glm::vec3> positionsHd;
+    for (const std::uint32_t slot : slots.first(std::min(slots.size(), kMostRowPoints)))
+        positionsHd.push_back(roots.positionHd[slot]);
+    return rowAlong(*roots.skin, positionsHd, roots.tangentHd[slots.front()]);
+}
+
+BraidRow rowAlong(const Skin& skin, std::span<const glm::vec3> strip, glm::vec3 tangentHd)
+{
+    const RootGraph graph(strip.first(std::min(strip.size(), kMostRowPoints)));
     const std::span<const glm::vec3> positions = graph.positionsHd();
     std::size_t begin = furthest(graph.distancesFrom(0));
     const std::size_t end = furthest(graph.distancesFrom(begin));
@@ -129,7 +169,7 @@ BraidRow rowAlong(const RootSet& roots, std::span<const std::uint32_t> slots)
         if (counts[bin] > 0.0F)
             line.push_back(sums[bin] / counts[bin]);
     if (line.size() < 2)
-        line = {positions[begin], positions[begin] + roots.tangentHd[slots.front()] * 1e-3F};
+        line = {positions[begin], positions[begin] + tangentHd * 1e-3F};
     // The strip ends half a bin beyond the means of the first bin and the last.
     const glm::vec3 first = line[0] + (line[0] - line[1]) * 0.5F;
     const glm::vec3 last = line.back() + (line.back() - line[line.size() - 2]) * 0.5F;
@@ -143,7 +183,7 @@ BraidRow rowAlong(const RootSet& roots, std::span<const std::uint32_t> slots)
         row.pointsHd = evenly(line, kPoints);
         row.normalsHd.clear();
         for (glm::vec3& point : row.pointsHd) {
-            const SurfacePoint on = roots.skin->nearest(point);
+            const SurfacePoint on = skin.nearest(point);
             point = on.positionHd;
             row.normalsHd.push_back(on.normalHd);
         }
@@ -155,7 +195,7 @@ BraidRow rowAlong(const RootSet& roots, std::span<const std::uint32_t> slots)
         row.lengthM += lengthOfVector(onward);
         side += glm::cross(row.normalsHd[i], onward);
     }
-    row.sideHd = unitVectorOr(side, roots.tangentHd[slots.front()]);
+    row.sideHd = unitVectorOr(side, tangentHd);
     // Roots that lie evenly are a quarter of the width away from the middle.
     for (const glm::vec3& position : positions)
         row.widthM += 4.0F * nearestOnRow(row, position).asideM / static_cast<float>(positions.size());

@@ -22,6 +22,10 @@ struct BraidRow
 
 /// Through those roots, which lie evenly on a strip: by their distances over the skin from one of its ends.
 [[nodiscard]] BraidRow rowAlong(const RootSet& roots, std::span<const std::uint32_t> slots);
+/// The same through points of the skin, one or more, of which the first kMostRowPoints are looked at. `tangentHd`:
+/// unit, along the skin; the direction of a row that is a single point.
+[[nodiscard]] BraidRow rowAlong(const Skin& skin, std::span<const glm::vec3> strip, glm::vec3 tangentHd);
+inline constexpr std::size_t kMostRowPoints = 512;
 
 /// The nearest point of a row to another point, m.
 struct RowPoint

@@ -27,6 +27,14 @@ enum class BraidKind : std::uint8_t
     Cornrow = 7 ///< A plait along the skin. In the braid map only; styles hold Plait for it.
 };
 inline constexpr BraidKind kLastBraidKind = BraidKind::Cornrow;
+/// The greatest number in the braid map.
+inline constexpr std::uint16_t kLastRowNumber = 1023;
+/// What a number of the braid map stands for. Those from Cornrow on are all cornrows: rows of different numbers stay
+/// two where they touch.
+[[nodiscard]] constexpr BraidKind braidKindOf(std::uint16_t painted)
+{
+    return painted < static_cast<std::uint16_t>(kLastBraidKind) ? static_cast<BraidKind>(painted) : kLastBraidKind;
+}
 [[nodiscard]] constexpr BraidKind lacedKind(BraidKind painted)
 {
     return painted == BraidKind::Cornrow ? BraidKind::Plait : painted;

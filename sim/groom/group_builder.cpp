@@ -192,8 +192,7 @@ void GroupBuilder::readKinds(const MapSamplers& maps, const SlotSet& dirty)
     parallelFor(dirty.chunkCount(), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t chunk = begin; chunk < end; ++chunk)
             dirty.forEachInChunk(chunk, [&](std::uint32_t slot) {
-                m_kinds[slot] = static_cast<std::uint8_t>(std::min<std::uint16_t>(
-                    maps[MapSlot::Braid].index(m_roots->uv[slot]), static_cast<std::uint16_t>(kLastBraidKind)));
+                m_kinds[slot] = static_cast<std::uint8_t>(braidKindOf(maps[MapSlot::Braid].index(m_roots->uv[slot])));
             });
     });
 }

@@ -103,8 +103,8 @@ static_assert(
 
 using MapRaster = std::shared_ptr<const TiledRaster>;
 
-/// Resolved maps of one group, with the channels of their rules. A scalar's 65535 is 1; braid holds BraidKind's
-/// numbers; colours are sRGB as encoded; directions as direction_texel.h has them. All are present.
+/// Resolved maps of one group, with the channels of their rules. A scalar's 65535 is 1; braid holds numbers for
+/// braidKindOf(); colours are sRGB as encoded; directions as direction_texel.h has them. All are present.
 class GroupMaps
 {
 public:

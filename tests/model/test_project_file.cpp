@@ -8,6 +8,7 @@
 #include "model/files/project_json.h"
 #include "sim/base/parallel.h"
 #include "sim/groom/direction_texel.h"
+#include "sim/groom/groom.h"
 #include "sim/skin/skin_frame.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
@@ -89,12 +90,16 @@ private Q_SLOTS:
         for (std::uint16_t i = 0; i < kCount; ++i)
             QCOMPARE(read.texel(i, 7), (sim::Texel{i, 65535, 0, 0}));
 
-        // A number of a later program is no braid.
-        painted.setTexel(0, 9, {kCount, 65535, 0, 0});
+        // Further numbers are rows of cornrow; beyond the last, a number of a later program is no braid.
+        painted.setTexel(1, 9, {kCount, 65535, 0, 0});
+        painted.setTexel(2, 9, {sim::kLastRowNumber, 65535, 0, 0});
+        painted.setTexel(0, 9, {sim::kLastRowNumber + 1, 65535, 0, 0});
         QVERIFY(saveProject(project, path("later.hairpaint"), {}));
         const Project later = opened(path("later.hairpaint"));
-        QCOMPARE(later.groups.front().map(MapKind::Braid).layers.front().raster.texel(0, 9),
-                 (sim::Texel{0, 65535, 0, 0}));
+        const sim::TiledRaster& rows = later.groups.front().map(MapKind::Braid).layers.front().raster;
+        QCOMPARE(rows.texel(0, 9), (sim::Texel{0, 65535, 0, 0}));
+        QCOMPARE(rows.texel(1, 9), (sim::Texel{kCount, 65535, 0, 0}));
+        QCOMPARE(rows.texel(2, 9), (sim::Texel{sim::kLastRowNumber, 65535, 0, 0}));
     }
 
     void savingWhatWasOpenedWritesTheSameBytes()

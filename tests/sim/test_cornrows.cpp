@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 using namespace hairpaint::sim;
@@ -52,6 +53,8 @@ class TestCornrows : public QObject
 private Q_SLOTS:
     void aStripIsOneRowFromItsUpperEndToItsLower();
     void stripsAreRowsOfTheirOwn();
+    void stripsThatTouchAreTwoRowsWhereTheirNumbersDiffer();
+    void aStripThatFallsApartIsStillOneRow();
     void itTakesInEveryHairOfItsStrip();
     void itKeepsWithinSixMillimetresOfTheSkin();
     void hairsThatJoinItFurtherOnAreInStep();
@@ -90,6 +93,49 @@ void TestCornrows::stripsAreRowsOfTheirOwn()
         centres.insert(groom->chunks[chunkOf(slot)]->braidCentre[inChunk(slot)]);
     });
     QCOMPARE(centres.size(), std::size_t{5});
+}
+
+void TestCornrows::stripsThatTouchAreTwoRowsWhereTheirNumbersDiffer()
+{
+    GroomInput input = rowsOnBall(1);
+    MapRaster& braid = input.groups.front().maps[MapSlot::Braid];
+    const auto rows = [&input] {
+        const auto groom = tied::groomed(input);
+        std::map<std::uint32_t, std::set<std::uint16_t>> numbersOfCentre;
+        forEachInRow(*groom, [&](std::uint32_t slot, const CornrowHair&) {
+            numbersOfCentre[groom->chunks[chunkOf(slot)]->braidCentre[inChunk(slot)]].insert(
+                input.groups.front().maps[MapSlot::Braid]->sampleNearest(groom->roots->uv[slot])[0]);
+        });
+        return numbersOfCentre;
+    };
+    paintSquare(braid, {0.432F, 0.5F}, {0.464F, 0.8F}, kCornrow);
+    QCOMPARE(rows().size(), std::size_t{1});
+    for (const std::uint16_t number : {static_cast<std::uint16_t>(kCornrow + 1), kLastRowNumber}) {
+        paintSquare(braid, {0.432F, 0.5F}, {0.464F, 0.8F}, number);
+        const auto numbersOfCentre = rows();
+        QCOMPARE(numbersOfCentre.size(), std::size_t{2});
+        for (const auto& [centre, numbers] : numbersOfCentre)
+            QCOMPARE(numbers.size(), std::size_t{1}); // No hair lies in the other's row.
+    }
+}
+
+void TestCornrows::aStripThatFallsApartIsStillOneRow()
+{
+    // 15 cm along the equator, 6 mm wide, with two gaps of 5 mm; the first point stands alone between them.
+    const Skin skin(makeBallHead(64, 0.1F));
+    const auto at = [&skin](float alongM, float acrossM) {
+        const float angle = alongM / 0.1F;
+        return skin.nearest({0.1F * std::sin(angle), acrossM, 0.1F * std::cos(angle)}).positionHd;
+    };
+    std::vector<glm::vec3> strip{at(0.075F, 0.0F)};
+    for (int i = 0; i < 300; ++i) {
+        const float alongM = 0.15F * static_cast<float>(i) / 299.0F;
+        if (std::abs(alongM - 0.075F) > 0.005F)
+            strip.push_back(at(alongM, 0.0006F * static_cast<float>(i * 7 % 11 - 5)));
+    }
+    const BraidRow row = rowAlong(skin, strip, {1.0F, 0.0F, 0.0F});
+    QVERIFY2(std::abs(row.lengthM - 0.15F) < 0.01F, qPrintable(QString::number(row.lengthM)));
+    QVERIFY2(row.widthM > 0.003F && row.widthM < 0.009F, qPrintable(QString::number(row.widthM)));
 }
 
 void TestCornrows::itTakesInEveryHairOfItsStrip()
@@ -239,6 +285,13 @@ void TestCornrows::paintingAnotherGivesWhatAFreshGroomHas()
     // And back.
     input.groups.front().maps[MapSlot::Braid] = rowsOnBall(2).groups.front().maps[MapSlot::Braid];
     difference = differenceOf(*builder.update(input).grooms.front(), *first);
+    QVERIFY2(difference == nullptr, difference);
+    // Another number alone: one of two that are one row becomes its own.
+    MapRaster& braid = input.groups.front().maps[MapSlot::Braid];
+    paintSquare(braid, {0.432F, 0.5F}, {0.45F, 0.8F}, kCornrow);
+    static_cast<void>(builder.update(input));
+    paintSquare(braid, {0.432F, 0.5F}, {0.482F, 0.8F}, kCornrow + 1);
+    difference = differenceOf(*builder.update(input).grooms.front(), *tied::groomed(input));
     QVERIFY2(difference == nullptr, difference);
 }
 

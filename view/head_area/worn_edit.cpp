@@ -57,7 +57,7 @@ bool takesRows(EditorState& editor)
     for (int y = 0; y < kSamples; ++y)
         for (int x = 0; x < kSamples; ++x) {
             const glm::vec2 uv = (glm::vec2(x, y) + 0.5F) / static_cast<float>(kSamples);
-            if (rows->sampleNearest(uv)[0] != static_cast<std::uint16_t>(sim::BraidKind::Cornrow))
+            if (sim::braidKindOf(rows->sampleNearest(uv)[0]) != sim::BraidKind::Cornrow)
                 continue;
             const std::optional<std::size_t> patch = patches->labels.at(uv);
             if (patch && patches->things[*patch] == tie->id)

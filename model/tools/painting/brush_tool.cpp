@@ -6,6 +6,7 @@
 #include "model/tools/painting/tip_starts.h"
 #include "model/tools/picker_tool.h"
 #include "model/tools/root_dabs.h"
+#include "model/tools/row_number.h"
 #include "model/tools/strokes/mirror.h"
 #include "model/tools/tool_list.h"
 
@@ -99,10 +100,11 @@ void BrushTool::press(const ToolEvent& event, ToolContext& context)
                    kLeastStepTx / static_cast<float>(m_edit.size()));
     m_roots.emplace(context, m_edit.size());
     m_tips = TipStarts::in(m_edit, context);
-    m_paint = {.value = texelOf(m_edit.spec(), context.settings.value(context.target.map)),
+    const bool goesOn = event.modifiers.testFlag(Qt::ShiftModifier) && m_last;
+    m_paint = {.value = strokeTexel(context, goesOn ? *m_last : event),
                .opacity = unit16(context.settings.opacity),
                .erase = m_erases};
-    if (event.modifiers.testFlag(Qt::ShiftModifier) && m_last) {
+    if (goesOn) {
         m_last->pressure = event.pressure;
         m_path->standAt(*m_last);
     }

@@ -4,6 +4,7 @@
 #include "model/tools/live_edit.h"
 #include "model/tools/painting/uv_cover.h"
 #include "model/tools/picker_tool.h"
+#include "model/tools/row_number.h"
 #include "model/tools/strokes/mirror.h"
 #include "model/tools/tool_list.h"
 
@@ -143,7 +144,7 @@ private:
         filled.add(flood.filled());
         filled.keepInside(m_edit.clips());
         const std::optional<sim::SurfacePoint> at = hasSkin ? head->skin->atUv(uv) : std::nullopt;
-        const sim::Texel value = texelOf(m_edit.spec(), context.settings.value(context.target.map));
+        const sim::Texel value = strokeTexel(context, {.area = Area::Paint, .uv = uv});
         const sim::Texel twin = mirroredValue(m_edit.spec(), value, head, at);
         show(filled, {.value = value, .opacity = unit16(context.settings.opacity)}, twin, near.grown(kBleedTx));
     }

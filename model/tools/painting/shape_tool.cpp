@@ -4,6 +4,7 @@
 #include "model/tools/live_edit.h"
 #include "model/tools/painting/shape_mask.h"
 #include "model/tools/picker_tool.h"
+#include "model/tools/row_number.h"
 #include "model/tools/strokes/mirror.h"
 #include "model/tools/tool_list.h"
 
@@ -82,7 +83,8 @@ private:
 
     LiveEdit m_edit;
     ShapeKind m_kind = ShapeKind::Ellipse;
-    std::optional<sim::SurfacePoint> m_start; ///< Where it was begun.
+    std::optional<sim::SurfacePoint> m_start; ///< Where it was begun,
+    sim::Texel m_value{};                     ///< and what it paints.
     std::vector<glm::vec2> m_corners;         ///< uv; of a rectangle or ellipse: start and end.
     std::optional<glm::vec2> m_hoverUv;       ///< Where a pending polygon's next corner would be.
     bool m_freehand = false;
@@ -96,6 +98,7 @@ void ShapeTool::press(const ToolEvent& event, ToolContext& context)
     m_freehand = false;
     m_hoverUv.reset();
     if (!active()) {
+        const sim::Texel value = strokeTexel(context, event);
         // What the context refers to outlives the edit; the context itself does not.
         if (!m_edit.begin(context, title(), [this, kept = ToolContext(context)] { return stepBack(kept); }))
             return;
@@ -103,6 +106,7 @@ void ShapeTool::press(const ToolEvent& event, ToolContext& context)
         m_kind = context.settings.shape;
         m_corners = {event.uv};
         m_start = event.point;
+        m_value = value;
         if (m_kind != ShapeKind::Polygon)
             m_corners.push_back(event.uv);
         return;
@@ -236,8 +240,7 @@ void ShapeTool::show(const ToolContext& context)
         if (twin.size() == outline.size())
             add(twinBuffer, ShapeMask(inTexels(twin), size), false);
     }
-    const TilePaint paint{.value = texelOf(m_edit.spec(), context.settings.value(context.target.map)),
-                          .opacity = unit16(context.settings.opacity)};
+    const TilePaint paint{.value = m_value, .opacity = unit16(context.settings.opacity)};
     TilePaint twinPaint = paint;
     twinPaint.value = mirroredValue(m_edit.spec(), paint.value, head, m_start);
     std::vector<int> tiles = buffer.takeDirty();
