@@ -3129,6 +3129,29 @@
     </message>
 </context>
 <context>
+    <name>RowRepeat</name>
+    <message>
+        <source>The braid map of this group has no layer to paint on.</source>
+        <translation>El mapa de trenzas de este grupo no tiene capa en la que pintar.</translation>
+    </message>
+    <message>
+        <source>Fewer than two cornrows reach into the selection: select two.</source>
+        <translation>Menos de dos trenzas pegadas llegan a la selección: selecciona dos.</translation>
+    </message>
+    <message>
+        <source>There are fewer than two cornrows: paint two strips of Cornrow on the braid map first.</source>
+        <translation>Hay menos de dos trenzas pegadas: pinta antes dos franjas de trenza pegada en el mapa de trenzas.</translation>
+    </message>
+    <message>
+        <source>More than two cornrows reach into the selection: select two of them.</source>
+        <translation>Más de dos trenzas pegadas llegan a la selección: selecciona dos de ellas.</translation>
+    </message>
+    <message>
+        <source>Which two of the cornrows? Select an area that two reach into.</source>
+        <translation>¿Qué dos trenzas pegadas? Selecciona una zona a la que lleguen dos.</translation>
+    </message>
+</context>
+<context>
     <name>SaveDialog</name>
     <message>
         <source>There is a file &apos;%1&apos; already. Replace it?</source>
@@ -4685,6 +4708,14 @@
     <message>
         <source>Puts one like it on the other side of the head; what is painted is painted there</source>
         <translation>Pone otro igual al otro lado de la cabeza; lo pintado se pinta allí</translation>
+    </message>
+    <message>
+        <source>Rep&amp;eat between two rows…</source>
+        <translation>&amp;Repetir entre dos hileras…</translation>
+    </message>
+    <message>
+        <source>Paints cornrows between the two that were painted last, or the two that reach into the selection</source>
+        <translation>Pinta trenzas pegadas entre las dos que se pintaron las últimas, o las dos que llegan a la selección</translation>
     </message>
 </context>
 <context>
@@ -6397,6 +6428,14 @@ Se ha perdido esto:</translation>
         <source>Hair &gt; Cut shortens all hair of the active group, inside the selection if there is one, and shows it at once. Trim takes as much from every hair. Cut to a level ends each hair where it first goes below a height, as it lies now: let it come to rest before. Layers cuts by the distance from the crown, Fade by the height; both leave what is shorter as it is, and where they begin and end is counted from the crown (0 %) down to the nape (100 %).</source>
         <translation>Pelo &gt; Cortar acorta todo el pelo del grupo activo, dentro de la selección si la hay, y lo muestra al momento. Recortar quita lo mismo a cada pelo. Cortar a un nivel termina cada pelo donde baja por primera vez de una altura, tal como cae ahora: antes deje que se aquiete. Capas corta según la distancia a la coronilla, Degradado según la altura; ambos dejan lo más corto como está, y dónde empiezan y terminan se cuenta desde la coronilla (0 %) hasta la nuca (100 %).</translation>
     </message>
+    <message>
+        <source>Repeat between two rows</source>
+        <translation>Repetir entre dos hileras</translation>
+    </message>
+    <message>
+        <source>Each stroke of Cornrow on the braid map is a row, also where it touches another; a stroke that begins on a row goes on with it. Hair &gt; Tie and put on &gt; Repeat between two rows paints more between the two that were painted last, or the two that reach into the selection, evenly over the skin and on the other side of the head too where strokes are mirrored.</source>
+        <translation>Cada trazo de trenza pegada en el mapa de trenzas es una hilera, también donde toca a otra; un trazo que empieza en una hilera la continúa. Pelo &gt; Recoger y poner &gt; Repetir entre dos hileras pinta más entre las dos que se pintaron las últimas, o las dos que llegan a la selección, por igual sobre la piel y también al otro lado de la cabeza donde los trazos se reflejan.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::HexField</name>
@@ -7032,6 +7071,29 @@ Se ha perdido esto:</translation>
     <message>
         <source>Saving a project leaves the last three beside it, as Name~1, Name~2 and Name~3; 1 is the newest.</source>
         <translation>Al guardar un proyecto quedan a su lado los tres últimos, como Nombre~1, Nombre~2 y Nombre~3; el 1 es el más reciente.</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::RepeatRowsDialog</name>
+    <message>
+        <source>Repeat between two rows</source>
+        <translation>Repetir entre dos hileras</translation>
+    </message>
+    <message>
+        <source>Cornrows are painted between the two that were painted last, or the two that reach into the selection.</source>
+        <translation>Se pintan trenzas pegadas entre las dos que se pintaron las últimas, o las dos que llegan a la selección.</translation>
+    </message>
+    <message>
+        <source>Rows between</source>
+        <translation>Hileras en medio</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Repetir</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
     </message>
 </context>
 <context>

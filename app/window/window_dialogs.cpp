@@ -5,6 +5,7 @@
 #include "app/settings/languages.h"
 #include "view/dialogs/about_dialog.h"
 #include "view/dialogs/light_dialog.h"
+#include "view/dialogs/repeat_rows_dialog.h"
 #include "view/dialogs/scale_hair_dialog.h"
 #include "view/dialogs/wind_dialog.h"
 #include "view/look/theme.h"
@@ -72,6 +73,17 @@ void WindowDialogs::showLight()
 void WindowDialogs::showScaleHair()
 {
     openInCorner(*new view::ScaleHairDialog(m_editor, &m_window), view::HelpDialog::Topic::ScaleHair);
+}
+
+void WindowDialogs::showRepeatRows()
+{
+    m_editor.tools().commitStroke();
+    if (!m_editor.tools().mayPaint({model::MapKind::Braid}))
+        return;
+    auto dialog = std::make_unique<view::RepeatRowsDialog>(m_editor, &m_window);
+    if (!dialog->problem().isEmpty())
+        return m_editor.tell(dialog->problem());
+    openInCorner(*dialog.release(), view::HelpDialog::Topic::Rows);
 }
 
 void WindowDialogs::showCut(view::HairCut kind, std::shared_ptr<const sim::StrandFrame> hair)

@@ -18,6 +18,7 @@ public:
     void showLight();
     void showScaleHair(); ///< Modal.
     /// Modal; `hair`: of the document as it is, every hair positioned.
+    void showRepeatRows();
     void showCut(view::HairCut kind, std::shared_ptr<const sim::StrandFrame> hair);
     void showPreferences();
     void showHelp(view::HelpDialog::Topic topic);

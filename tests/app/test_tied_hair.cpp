@@ -1,6 +1,11 @@
 // Hair tied in the real window, by mouse and menus.
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
+#include "view/dialogs/repeat_rows_dialog.h"
+#include "view/widgets/bar_slider.h"
+
+#include <QDialogButtonBox>
+#include <QPushButton>
 
 #include <cmath>
 
@@ -69,6 +74,55 @@ private Q_SLOTS:
         QTest::mouseMove(other, beside);
         m_window->actions().find(QLatin1StringView("hair.addBow"))->trigger();
         QVERIFY(session().document().project().wornThing(editor().options().chosenWorn())->anchor != tie.anchor);
+    }
+
+    /// Two strokes of the brush, a menu, and a number.
+    void rowsBetweenTwoByMouse()
+    {
+        openWindow(model::newProject());
+        const QSignalSpy told(&editor(), &view::EditorState::told);
+        editor().target().setMap(model::MapKind::Density);
+        m_window->actions().find(QLatin1StringView("edit.fill"))->trigger();
+        editor().target().setMap(model::MapKind::Braid);
+        model::ToolSettings settings = editor().tools().settings();
+        settings.value(model::MapKind::Braid).index = static_cast<int>(sim::BraidKind::Cornrow);
+        settings.brushSizeM = 0.008F;
+        settings.hardness = 1.0F;
+        editor().tools().setSettings(settings);
+        editor().options().setMirror(false);
+        const auto repeat = [this] { m_window->actions().find(QLatin1StringView("hair.repeatRows"))->trigger(); };
+        const auto dialog = [this] { return m_window->findChild<view::RepeatRowsDialog*>(); };
+        repeat();
+        QCOMPARE(told.count(), 1);
+        QVERIFY(dialog() == nullptr);
+        drag(m_window->paintView(), paintPoint(0.42F, 0.62F), paintPoint(0.42F, 0.8F));
+        drag(m_window->paintView(), paintPoint(0.52F, 0.62F), paintPoint(0.52F, 0.8F));
+        const int steps = stack().count();
+        const QByteArray before = savedBytes("before.hairpaint");
+        const model::Id group = session().document().project().groups.front().id;
+        const auto numberAt = [&](float u) {
+            return session().document().resolvedNow(group, model::MapKind::Braid)->sampleNearest({u, 0.7F})[0];
+        };
+        repeat();
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && dialog()->isVisible(), kPatienceMs);
+        auto* count = dialog()->findChild<view::BarSlider*>();
+        const double fitting = count->value();
+        QVERIFY(fitting > 1.0);
+        while (count->value() > 1.0)
+            QTest::keyClick(count, Qt::Key_Left);
+        QVERIFY(numberAt(0.47F) > static_cast<int>(sim::BraidKind::Cornrow) + 1); // Shown before it is accepted.
+        QTest::keyClick(dialog(), Qt::Key_Escape);
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatienceMs);
+        QCOMPARE(savedBytes("dropped.hairpaint"), before);
+        repeat();
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && dialog()->isVisible(), kPatienceMs);
+        QCOMPARE(dialog()->findChild<view::BarSlider*>()->value(), fitting);
+        QTest::mouseClick(dialog()->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+        QCOMPARE(stack().count(), steps + 1);
+        QCOMPARE(stack().undoText(), QStringLiteral("Repeat between two rows"));
+        QVERIFY(numberAt(0.47F) != 0);
+        stack().undo();
+        QCOMPARE(savedBytes("after.hairpaint"), before);
     }
 
     void cornrowsThatATieTakesAreTold()

@@ -190,6 +190,13 @@ QString dialogPages()
                               "before. Layers cuts by the distance from the crown, Fade by the height; both leave "
                               "what is shorter as it is, and where they begin and end is counted from the crown "
                               "(0 %) down to the nape (100 %).")) +
+           heading(Topic::Rows, HelpDialog::tr("Repeat between two rows")) +
+           paragraph(
+               HelpDialog::tr("Each stroke of Cornrow on the braid map is a row, also where it touches another; a "
+                              "stroke that begins on a row goes on with it. Hair > Tie and put on > Repeat between "
+                              "two rows paints more between the two that were painted last, or the two that reach "
+                              "into the selection, evenly over the skin and on the other side of the head too where "
+                              "strokes are mirrored.")) +
            heading(Topic::HeadImport, HelpDialog::tr("Import head")) +
            paragraph(
                HelpDialog::tr("A mesh says neither its unit nor which way is up, so both are guessed: the picture "

@@ -27,6 +27,7 @@ public:
         Light,
         ScaleHair,
         Cut,
+        Rows,
         HeadImport,
         HairImport,
         HairExport,

@@ -20,7 +20,7 @@ HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, W
     addSeparator();
     addSimulation(actions, session);
     addMotions(actions, session, head);
-    addWorn(actions, session, head, exchange);
+    addWorn(actions, session, head, dialogs, exchange);
     actions.add(*this, {{.id = "hair.hold",
                          .text = tr("Hol&d as it lies now"),
                          .keys = {Qt::SHIFT | Qt::Key_H},
@@ -116,12 +116,15 @@ void HairMenu::addSimulation(ActionSet& actions, Session& session)
                          "reset"}});
 }
 
-void HairMenu::addWorn(ActionSet& actions, Session& session, view::HeadView& head, Exchange& exchange)
+void HairMenu::addWorn(ActionSet& actions, Session& session, view::HeadView& head, WindowDialogs& dialogs,
+                       Exchange& exchange)
 {
     QMenu* menu = addMenu(tr("&Tie and put on"));
     menu->setToolTipsVisible(true);
     for (const model::WornSpec* offered : wornInMenus()) {
         if (offered == nullptr) {
+            if (actions.find(QLatin1StringView("hair.repeatRows")) == nullptr)
+                addRows(*menu, actions, dialogs); // After what ties hair.
             menu->addSeparator();
             continue;
         }
@@ -177,6 +180,15 @@ void HairMenu::addWorn(ActionSet& actions, Session& session, view::HeadView& hea
                                  return worn != nullptr ? model::wornText(wornSpec(worn->kind).removeTitle)
                                                         : tr("Take o&ff what is chosen");
                              }}});
+}
+
+void HairMenu::addRows(QMenu& menu, ActionSet& actions, WindowDialogs& dialogs)
+{
+    actions.add(menu,
+                {{"hair.repeatRows", tr("Rep&eat between two rows…"), {}, [&dialogs] { dialogs.showRepeatRows(); }}});
+    actions.find(QLatin1StringView("hair.repeatRows"))
+        ->setToolTip(tr("Paints cornrows between the two that were painted last, or the two that reach into the "
+                        "selection"));
 }
 
 void HairMenu::addCuts(ActionSet& actions, Session& session, WindowDialogs& dialogs, Exchange& exchange)

@@ -26,7 +26,9 @@ private:
     void addWeather(ActionSet& actions, Session& session, view::HeadView& head, WindowDialogs& dialogs);
     void addSkin(ActionSet& actions, Session& session);
     void addSimulation(ActionSet& actions, Session& session);
-    void addWorn(ActionSet& actions, Session& session, view::HeadView& head, Exchange& exchange);
+    void addRows(QMenu& menu, ActionSet& actions, WindowDialogs& dialogs);
+    void addWorn(ActionSet& actions, Session& session, view::HeadView& head, WindowDialogs& dialogs,
+                 Exchange& exchange);
     void addCuts(ActionSet& actions, Session& session, WindowDialogs& dialogs, Exchange& exchange);
     void addMotions(ActionSet& actions, Session& session, view::HeadView& head);
 
