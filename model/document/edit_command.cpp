@@ -3,6 +3,7 @@
 
 #include "model/document/paint_command.h"
 #include "model/document/undo_budget.h"
+#include "model/project/worn_on_ties.h"
 
 #include <algorithm>
 #include <optional>
@@ -183,7 +184,7 @@ public:
                 return;
             }
             m_before = partOf(project, m_change);
-            m_edit(project);
+            runFollowingTies(project, m_edit);
             m_edit = nullptr;
             m_after = partOf(project, m_change);
         });
@@ -261,7 +262,7 @@ private:
 bool changesContent(const Project& committed, const ShownPart& part)
 {
     Project edited = committed;
-    part.edit(edited);
+    runFollowingTies(edited, part.edit);
     return partOf(edited, part.change) != partOf(committed, part.change);
 }
 
@@ -318,7 +319,7 @@ CommandPtr editCommand(Document& document, const Change& change, const QString& 
     if (command == nullptr || !needsPatches(change))
         return command;
     Project after = document.committed();
-    edit(after);
+    runFollowingTies(after, edit);
     return withPatches(document, std::move(command), std::move(after), text);
 }
 
@@ -342,7 +343,7 @@ CommandPtr shownEditCommand(Document& document, const std::vector<ShownPart>& pa
     if (touchesPatches) {
         after = document.committed();
         for (const ShownPart& part : parts)
-            part.edit(after);
+            runFollowingTies(after, part.edit);
         layIn(after, layers);
     }
     if (CommandPtr paint = plainPaintCommand(document, std::move(layers), text))

@@ -1,6 +1,7 @@
 // Previews put over committed content, and the commands that give the same.
 #include "model/document/running_edit.h"
 #include "model/document/paint_command.h"
+#include "model/project/worn_on_ties.h"
 
 #include <algorithm>
 #include <utility>
@@ -35,7 +36,7 @@ void RunningEdit::showPart(const Project& committed, ShownPart part)
     parts.push_back(std::move(part));
     shown = committed;
     for (const ShownPart& one : parts)
-        one.edit(shown);
+        runFollowingTies(shown, one.edit);
     plainWorn = shown.worn;
     plainNextId = shown.nextId;
     for (const auto& [address, shownTiles] : tiles)

@@ -6,11 +6,14 @@
 #include "model/files/layer_files.h"
 #include "model/files/own_mesh_file.h"
 #include "model/files/project_json.h"
+#include "model/project/worn_on_ties.h"
 
 #include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 /// Resources of a static library are registered on request; the macro must stand outside every namespace.
 static void initPresetResources() // NOLINT(misc-use-anonymous-namespace)
@@ -123,11 +126,14 @@ Result<void> savePreset(const Preset& preset, const QString& path, const Progres
             return write(preset, path, progress);
         Preset renumbered = preset;
         renumber(renumbered.groups, nextId);
+        std::map<Id, Id> ids;
         for (Worn& one : renumbered.worn) {
             const auto group = std::ranges::find(preset.groups, one.group, &HairGroup::id);
             one.group = renumbered.groups[static_cast<std::size_t>(group - preset.groups.begin())].id;
-            one.id = nextId++;
+            const Id id = nextId++;
+            ids.emplace(std::exchange(one.id, id), id);
         }
+        renameTies(renumbered.worn, ids);
         return write(renumbered, path, progress);
     });
 }

@@ -7,10 +7,13 @@
 #include "model/files/layer_files.h"
 #include "model/files/own_mesh_file.h"
 #include "model/files/project_json.h"
+#include "model/project/worn_on_ties.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace hairpaint::model {
 
@@ -95,13 +98,16 @@ Result<void> saveProject(const Project& project, const QString& path, const QIma
             return write(project, path, thumbnail, encoded, progress);
         Project renumbered = project;
         renumber(renumbered.groups, renumbered.nextId);
+        std::map<Id, Id> ids;
         for (Worn& one : renumbered.worn) {
-            one.id = renumbered.takeId();
+            const Id id = renumbered.takeId();
+            ids.emplace(std::exchange(one.id, id), id);
             const auto group = std::ranges::find(project.groups, one.group, &HairGroup::id);
             one.group = group == project.groups.end()
                             ? 0
                             : renumbered.groups[static_cast<std::size_t>(group - project.groups.begin())].id;
         }
+        renameTies(renumbered.worn, ids);
         return write(renumbered, path, thumbnail, encoded, progress);
     });
 }

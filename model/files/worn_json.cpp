@@ -3,6 +3,7 @@
 
 #include "model/files/group_json.h"
 #include "model/files/json_fields.h"
+#include "model/project/worn_on_ties.h"
 
 #include <algorithm>
 #include <limits>
@@ -24,6 +25,7 @@ constexpr const char* kSheenKey = "sheen";
 constexpr const char* kMakeKey = "make";
 constexpr const char* kTightnessKey = "tightness";
 constexpr const char* kCoilKey = "coil_radius_m";
+constexpr const char* kTieKey = "tie";
 constexpr const char* kPatchKey = "patch";
 constexpr const char* kMeshKey = "mesh";
 constexpr const char* kMeshNameKey = "mesh_name";
@@ -97,6 +99,7 @@ void visitOthers(FieldReader& fields, Worn& worn)
         fields.object(kPatchKey, [&worn](FieldReader& inner) { visitPatch(inner, worn.patch.emplace()); });
     fields.number(kSheenKey, worn.sheen, 0.0F, 1.0F);
     fields.integer(kGroupKey, worn.group, 0, kGreatestNextId);
+    fields.integer(kTieKey, worn.tie, 0, kGreatestNextId);
     if (fields.contains(kAnchorKey))
         fields.object(kAnchorKey, [&worn](FieldReader& inner) { visitAnchor(inner, worn.anchor.emplace()); });
 }
@@ -110,6 +113,8 @@ void visitOthers(FieldWriter& fields, Worn& worn)
         fields.number(kSheenKey, worn.sheen, 0.0F, 1.0F);
     if (worn.group != 0)
         fields.integer(kGroupKey, worn.group, 0, kGreatestNextId);
+    if (worn.tie != 0)
+        fields.integer(kTieKey, worn.tie, 0, kGreatestNextId);
     if (worn.anchor)
         fields.object(kAnchorKey, [&worn](FieldWriter& inner) { visitAnchor(inner, *worn.anchor); });
 }
@@ -174,7 +179,15 @@ public:
             return refuse(problem);
         return {};
     }
-    [[nodiscard]] std::vector<Worn> take() { return std::move(m_all); }
+    [[nodiscard]] std::vector<Worn> take()
+    {
+        std::map<Id, Id> ties;
+        for (const Worn& one : m_all)
+            if (one.id != 0 && wornSpec(one.kind).tie)
+                ties.emplace(one.id, one.id);
+        renameTies(m_all, ties);
+        return std::move(m_all);
+    }
 
 private:
     bool parseOne(const QJsonObject& object, const WornSpec& spec, QString& problem)

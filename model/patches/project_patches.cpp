@@ -2,6 +2,7 @@
 #include "model/patches/project_patches.h"
 
 #include "model/patches/patch_shape.h"
+#include "model/project/worn_on_ties.h"
 
 #include <algorithm>
 #include <set>
@@ -288,6 +289,7 @@ void ProjectPatches::update(const Project& project)
 
 bool ProjectPatches::follow(Project& project, const ProjectPatches* before)
 {
+    const std::vector<Worn> was = project.worn;
     bool changed = false;
     updateLabels(project);
     for (auto& [id, group] : m_groups)
@@ -296,6 +298,8 @@ bool ProjectPatches::follow(Project& project, const ProjectPatches* before)
     const std::size_t count = project.worn.size();
     std::erase_if(project.worn, [this](const Worn& one) { return one.patch && !m_groups.contains(one.group); });
     changed |= project.worn.size() != count;
+    if (changed)
+        followTies(project.worn, was);
     findThings(project);
     return changed;
 }

@@ -181,6 +181,7 @@ void sitOn(Worn& worn, const Worn& tie)
     worn.shape.centreHd = tie.shape.centreHd + turn * glm::vec3(0.0F, kOnRing * tie.shape.semiAxesM.x, 0.0F);
     worn.shape.rotation = glm::normalize(turn * glm::quat(half, -half, 0.0F, 0.0F));
     worn.anchor = tie.anchor;
+    worn.tie = tie.id;
 }
 
 sim::SurfacePoint anchorPoint(const Worn& worn, const sim::Skin& skin)
@@ -211,6 +212,7 @@ Worn mirroredWorn(const Worn& worn, const sim::Skin& skin)
     Worn other = worn;
     other.id = 0;
     other.patch.reset();
+    other.tie = 0;
     other.mirrored = worn.ownMesh.own != nullptr && !worn.mirrored;
     const sim::SurfacePoint from = anchorPoint(worn, skin);
     const sim::SurfacePoint to = skin.nearest(kAcross * from.positionHd);

@@ -63,6 +63,7 @@ struct Worn
     float sheen = 0.0F;        ///< As WornSpec::sheen, 0..1; 0 for kinds that are not drawn.
     Id group = 0;              ///< The group in whose hair it is worn, and with which it is removed; 0: none.
     std::optional<WornAnchor> anchor = {}; ///< The point of the skin that it hangs on; none: the nearest one.
+    Id tie = 0;                            ///< The tie that it sits on and goes with; 0: none.
     std::uint8_t make = 0;                 ///< Index into WornSpec::makes; 0 for kinds without makes.
     float tightness = 0.0F;                ///< As sim::Tie has it, 0..1; 0 for kinds that are no ties.
     float coilRadiusM = 0.0F;              ///< How far hair is wound about the tie of a bun; 0 for other kinds.
@@ -164,7 +165,8 @@ struct WornSpec
 void standOn(Worn& worn, const sim::SurfacePoint& point);
 /// The tie on whose ring a new thing of the kind sits that is put on at a point of the skin; null: none.
 [[nodiscard]] const Worn* tieBeside(const std::vector<Worn>& all, const WornSpec& spec, glm::vec3 positionHd);
-/// Puts it on the tie's ring, where the bow of a ribbon lies: face up, its own y against the hair that leaves.
+/// Puts it on the tie's ring, where the bow of a ribbon lies: face up, its own y against the hair that leaves. From
+/// then on it goes with the tie (followTies).
 void sitOn(Worn& worn, const Worn& tie);
 /// The point of the skin that it hangs on.
 [[nodiscard]] sim::SurfacePoint anchorPoint(const Worn& worn, const sim::Skin& skin);

@@ -3,9 +3,12 @@
 
 #include "model/maps/compositor.h"
 #include "model/maps/tile_paint.h"
+#include "model/project/worn_on_ties.h"
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 
 namespace hairpaint::model {
 
@@ -101,14 +104,17 @@ Preset presetFrom(const Project& project, const QString& name)
         }
         preset.groups.push_back(std::move(flat));
     }
+    std::map<Id, Id> ids;
     for (std::size_t i = 0; i < project.groups.size(); ++i)
         for (Worn one : project.worn) {
             if (one.group != project.groups[i].id)
                 continue;
             one.group = preset.groups[i].id;
-            one.id = nextId++;
+            const Id id = nextId++;
+            ids.emplace(std::exchange(one.id, id), id);
             insertWorn(preset.worn, one);
         }
+    renameTies(preset.worn, ids);
     return preset;
 }
 

@@ -3,6 +3,7 @@
 
 #include "model/maps/compositor.h"
 #include "model/project/group_schema.h"
+#include "model/project/worn_on_ties.h"
 #include "model/styles/hair_kinds.h"
 #include "model/styles/style_mix.h"
 #include "model/styles/style_transfer.h"
@@ -14,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace hairpaint::model {
 
@@ -230,14 +233,24 @@ void wearWith(Project& project, const std::vector<Worn>& brought, Id styleGroup,
     if (std::ranges::none_of(brought, isOfStyle))
         return;
     std::erase_if(project.worn, [group](const Worn& one) { return one.group == group; });
+    std::map<Id, Id> ids;
+    for (const Worn& one : brought)
+        ids.emplace(one.id, 0);
+    std::vector<Id> added;
     for (Worn one : brought) {
         if (!isOfStyle(one) || countOf(project.worn, one.kind) >= wornSpec(one.kind).limit)
             continue;
         one.group = group;
-        one.id = project.takeId();
+        const Id id = project.takeId();
+        ids[std::exchange(one.id, id)] = id;
+        added.push_back(id);
         if (one.patch)
             one.patch->number = unusedPatch(project.worn);
         insertWorn(project.worn, one);
+    }
+    for (const Id id : added) {
+        Worn& one = *project.wornThing(id);
+        one.tie = one.tie != 0 ? ids[one.tie] : 0;
     }
 }
 

@@ -76,6 +76,43 @@ private Q_SLOTS:
         QVERIFY(session().document().project().wornThing(editor().options().chosenWorn())->anchor != tie.anchor);
     }
 
+    /// By mouse: the tie is dragged, and taken off; the bow goes along.
+    void aBowGoesWithItsTie()
+    {
+        openWindow(model::newProject());
+        editor().target().setMap(model::MapKind::Density);
+        m_window->actions().find(QLatin1StringView("edit.fill"))->trigger();
+        const auto [area, at] = onHead(0.5F, 0.7F);
+        QTest::mouseMove(area, at);
+        m_window->actions().find(QLatin1StringView("hair.addPonytail"))->trigger();
+        const model::Id tieId = session().document().project().worn.back().id;
+        m_window->actions().find(QLatin1StringView("hair.addBow"))->trigger();
+        const model::Id bowId = editor().options().chosenWorn();
+        const auto thing = [this](model::Id id) { return session().document().project().wornThing(id); };
+        QCOMPARE(thing(bowId)->tie, tieId);
+        const model::Worn bow = *thing(bowId);
+        const model::Worn tie = *thing(tieId);
+        const float awayM = glm::distance(bow.shape.centreHd, tie.shape.centreHd);
+        editor().options().setChosenWorn(tieId);
+        // By its ring, between its handles.
+        const glm::vec3 aside = glm::normalize(tie.shape.rotation) * glm::vec3(0.7071F, -0.7071F, 0.0F);
+        view::HeadView& head = m_window->headView();
+        const auto ring = head.positionOf(tie.shape.centreHd + tie.shape.semiAxesM.x * aside);
+        QVERIFY(ring.has_value());
+        const QPoint grip = area->mapFrom(&head, ring->toPoint());
+        drag(*area, grip, grip + QPoint(30, 10));
+        QVERIFY(glm::distance(thing(tieId)->shape.centreHd, tie.shape.centreHd) > 0.005F);
+        QVERIFY(glm::distance(thing(bowId)->shape.centreHd, bow.shape.centreHd) > 0.005F);
+        QVERIFY(std::abs(glm::distance(thing(bowId)->shape.centreHd, thing(tieId)->shape.centreHd) - awayM) < 1e-4F);
+        stack().undo();
+        QVERIFY(*thing(bowId) == bow && *thing(tieId) == tie);
+        editor().options().setChosenWorn(tieId);
+        m_window->actions().find(QLatin1StringView("hair.removeWorn"))->trigger();
+        QVERIFY(thing(bowId) == nullptr && thing(tieId) == nullptr);
+        stack().undo();
+        QVERIFY(*thing(bowId) == bow);
+    }
+
     /// Two strokes of the brush, a menu, and a number.
     void rowsBetweenTwoByMouse()
     {

@@ -109,8 +109,14 @@ void mirrorChosenWorn(EditorState& editor)
 {
     const model::Project& project = editor.document().project();
     const model::Worn* chosen = project.wornThing(editor.options().chosenWorn());
-    if (chosen != nullptr && !chosen->patch && project.head != nullptr && project.head->skin != nullptr)
-        addWornThing(editor, mirroredWorn(*chosen, *project.head->skin));
+    if (chosen != nullptr && !chosen->patch && project.head != nullptr && project.head->skin != nullptr) {
+        model::Worn other = mirroredWorn(*chosen, *project.head->skin);
+        // The tail on the other side takes it, if there is one.
+        if (chosen->tie != 0)
+            if (const model::Worn* tie = tieBeside(project.worn, wornSpec(other.kind), other.shape.centreHd))
+                other.tie = tie->id;
+        addWornThing(editor, other);
+    }
 }
 
 void addTwinTailsAt(EditorState& editor, const sim::SurfacePoint& point)
