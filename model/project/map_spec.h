@@ -55,12 +55,12 @@ struct MapSpec
     const char* title;  ///< To be translated in context "MapSpec".
     const char* letter; ///< A unique letter, for the colour-blind; to be translated in context "MapLetter".
     TexelKind texel = TexelKind::Scalar;
-    const MapScale* scale = nullptr; ///< Unit and range of a scalar map; null for other maps.
-    QRgb scaleColour; ///< The colour of a scalar map at 1; for other maps, the colour that stands for the map.
-    std::span<const PaletteEntry> palette = {}; ///< Entries of an index map; empty for other maps.
     /// The greatest number of an index map whose numbers beyond the palette are its last entry too: things of one kind
     /// that stay apart where they touch. 0: there are none.
     std::uint16_t lastNumber = 0;
+    const MapScale* scale = nullptr; ///< Unit and range of a scalar map; null for other maps.
+    QRgb scaleColour; ///< The colour of a scalar map at 1; for other maps, the colour that stands for the map.
+    std::span<const PaletteEntry> palette = {}; ///< Entries of an index map; empty for other maps.
     std::span<const BlendMode> blendModes = {};
     PaintValue firstPaint = {}; ///< The value that painting starts with.
     /// Where nothing is painted a map shows its rule's default value, or another map of the group (one that stands

@@ -291,7 +291,9 @@ private Q_SLOTS:
                 gaps.push_back(glm::distance(line[i].positionHd, last));
                 last = line[i].positionHd;
             }
-            gaps.push_back(nearestOnRow(other, last).asideM);
+            // Whichever end of the other is its begin.
+            gaps.push_back(std::min(glm::distance(onRow(other, at * other.lengthM, 0.0F), last),
+                                    glm::distance(onRow(other, (1.0F - at) * other.lengthM, 0.0F), last)));
             const auto [least, most] = std::ranges::minmax(gaps);
             QVERIFY2(most < 1.25F * least, qPrintable(QStringLiteral("%1 %2").arg(least).arg(most)));
         }
