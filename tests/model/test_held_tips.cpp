@@ -8,6 +8,7 @@
 #include "sim/groom/direction_texel.h"
 #include "sim/motion/simulation.h"
 #include "tests/model/fixtures.h"
+#include "tests/model/side_view.h"
 #include "tests/model/tool_studio.h"
 #include "tests/model/worn_style.h"
 #include "tests/support/test_program.h"
@@ -114,6 +115,70 @@ private Q_SLOTS:
         comb.press(event, context);
         comb.release(event, context);
         QCOMPARE(studio.document.undoStack().count(), 0);
+    }
+
+    void theBrushHoldsTheStrandsThatItMeets()
+    {
+        Studio studio(wearing(QStringLiteral("Quiff"), 3000));
+        studio.map = MapKind::Direction;
+        studio.settings.comb = CombKind::Hold;
+        studio.settings.brushSizeM = 0.02F;
+        studio.settings.hardness = 1.0F;
+        studio.settings.holdGel = 0.9F;
+        studio.settings.opacity = 1.0F;
+        sim::Simulation simulation;
+        simulation.setInput(studio.document.groomInput());
+        const auto frame = std::make_shared<sim::StrandFrame>(stillFrame(simulation, 6.0));
+        frame->asleep = false; // As if the wind blew.
+        const SideView view(frame);
+        const sim::GroupFrame& hair = frame->groups.front();
+        const sim::RootSet& roots = *hair.groom->roots;
+        // A tip as far from its root as any.
+        std::uint32_t furthest = 0;
+        float furthestM = 0.0F;
+        for (std::uint32_t slot = 0; slot < roots.count(); ++slot) {
+            if (!hair.isPositioned(slot))
+                continue;
+            const float apartM = glm::distance(drawnPoints(hair, slot).back(), roots.positionHd[slot]);
+            if (apartM > furthestM) {
+                furthestM = apartM;
+                furthest = slot;
+            }
+        }
+        QVERIFY(furthestM > 0.04F);
+        const glm::vec3 tipHd = drawnPoints(hair, furthest).back();
+        const QPointF at = SideView::seen(tipHd);
+        ToolContext context = studio.context();
+        context.hair = frame;
+        context.seen = &view;
+        const auto before = studio.document.resolvedNow(context.target.group, MapKind::Gel);
+        const ToolEvent event{
+            .area = Area::Head,
+            .hair = OverHair{.position = at, .pxPerM = static_cast<float>(SideView::kPxPerM), .positionHd = tipHd}};
+        Tool& comb = studio.tool(ToolId::Comb);
+        comb.press(event, context);
+        comb.release(event, context);
+        QCOMPARE(studio.document.undoStack().count(), 1);
+        const auto after = studio.document.resolvedNow(context.target.group, MapKind::Gel);
+        const std::vector<SeenStrand> met = view.passed(at, at, 0.5 * 0.02 * SideView::kPxPerM);
+        QVERIFY(met.size() > 10);
+        // At the hairline, where few roots are, a little less.
+        QVERIFY(4 * std::ranges::count_if(met,
+                                          [&](const SeenStrand& strand) {
+                                              return after->sampleNearest(strand.rootUv)[0] >
+                                                     before->sampleNearest(strand.rootUv)[0] + 3000;
+                                          }) >
+                3 * static_cast<std::ptrdiff_t>(met.size()));
+        int untouched = 0;
+        for (std::uint32_t slot = 0; slot < roots.count(); ++slot) {
+            if (std::ranges::any_of(met, [&](const SeenStrand& strand) {
+                    return glm::distance(strand.rootHd, roots.positionHd[slot]) < 0.012F;
+                }))
+                continue;
+            QCOMPARE(after->sampleNearest(roots.uv[slot])[0], before->sampleNearest(roots.uv[slot])[0]);
+            ++untouched;
+        }
+        QVERIFY(untouched > 500);
     }
 
     void theBrushHoldsWhatLiesOnTheShoulders()

@@ -103,10 +103,7 @@ constexpr ToolTraits kComb{
             return settings.comb == CombKind::Hold ? std::optional(MapKind::Gel) : std::nullopt;
         },
     .demo = &kCombDemo,
-    .worksOnHair =
-        [](const ToolSettings& settings) {
-            return settings.comb != CombKind::Hold && settings.comb != CombKind::Whorl;
-        }};
+    .worksOnHair = [](const ToolSettings& settings) { return settings.comb != CombKind::Whorl; }};
 
 class CombTool : public Tool
 {

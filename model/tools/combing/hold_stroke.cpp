@@ -42,13 +42,36 @@ bool HoldStroke::begin(const ToolContext& context, const QString& step)
         m_gelMasks.emplace(m_edit.size(*m_gel));
     m_path.emplace(head->skin.get(), context.settings.brushSizeM * kHoldSpacing,
                    kHoldLeastStepTx / static_cast<float>(m_edit.size()));
+    m_roots.emplace(context, m_edit.size());
     return true;
 }
 
 void HoldStroke::moveTo(const ToolEvent& event, const ToolContext& context)
 {
-    m_path->moveTo(event, [&](const BrushSample& sample) { dab(sample, context); });
+    if (event.hair) {
+        m_path->lift();
+        const RootDabs::Shape shape{.sizeM = context.settings.brushSizeM, .hardness = context.settings.hardness};
+        for (const RootDab& one : m_roots->moveTo(*event.hair, context, shape, true)) {
+            cover(one.dab);
+            if (one.twin)
+                cover(*one.twin);
+        }
+    } else {
+        m_roots->lift();
+        m_path->moveTo(event, [&](const BrushSample& sample) { dab(sample, context); });
+    }
     show(context);
+}
+
+void HoldStroke::cover(const Dab& dab)
+{
+    for (const sim::TexelRect& clip : m_edit.clips())
+        m_masks->add(dab, clip);
+    if (!m_gel)
+        return;
+    const Dab onGel = onMapOf(dab, m_edit.size(), m_edit.size(*m_gel));
+    for (const sim::TexelRect& clip : m_edit.clips(*m_gel))
+        m_gelMasks->add(onGel, clip);
 }
 
 void HoldStroke::dab(const BrushSample& sample, const ToolContext& context)
@@ -109,6 +132,7 @@ void HoldStroke::drop()
     m_masks.reset();
     m_gelMasks.reset();
     m_path.reset();
+    m_roots.reset();
 }
 
 } // namespace hairpaint::model

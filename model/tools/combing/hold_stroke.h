@@ -4,6 +4,7 @@
 #include "model/tools/brush_path.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/lying/lying_hair.h"
+#include "model/tools/root_dabs.h"
 
 #include <optional>
 
@@ -22,6 +23,8 @@ public:
 
 private:
     void dab(const BrushSample& sample, const ToolContext& context);
+    /// Covers what `dab`, of the direction map's texels, covers.
+    void cover(const Dab& dab);
     void show(const ToolContext& context);
     void drop();
 
@@ -31,6 +34,7 @@ private:
     std::shared_ptr<const sim::TiledRaster> m_shownGel;
     std::optional<StrokeBuffer> m_masks, m_gelMasks;
     std::optional<BrushPath> m_path;
+    std::optional<RootDabs> m_roots; ///< Dabs where the stroke goes over strands.
 };
 
 } // namespace hairpaint::model
