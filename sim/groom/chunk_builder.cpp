@@ -7,6 +7,7 @@
 #include "sim/groom/gathering.h"
 #include "sim/groom/rest_shape.h"
 #include "sim/groom/strand_style.h"
+#include "sim/groom/turn_kernel.h"
 
 #include <algorithm>
 #include <array>
@@ -87,6 +88,8 @@ public:
         const LockSettings& locks = m_inputs.settings.locks;
         m_clump.nodes = m_inputs.settings.nodesPerHair;
         m_clump.nodesHd = nodesHd.data();
+        m_turn.nodes = m_clump.nodes;
+        m_turn.nodesHd = m_clump.nodesHd;
         m_clump.basisHd = m_basisHd.data();
         for (std::size_t i = 0; i < m_waiting; ++i)
             m_passed.put(m_laid[i].slot, m_lay.passed(i));
@@ -105,25 +108,24 @@ public:
         m_clump.locks = locks;
         if (anyClumps)
             clumpLanes(m_clump);
-        const bool isBlock = fillsBlock();
         for (std::size_t i = 0; i < m_waiting; ++i) {
             Laid& hair = m_laid[i];
             const float clump = m_clump.clump[i];
             // Hairs that lie together curl together: a ringlet is one curl of many hairs.
             hair.style.phase += (hair.basisPhase - hair.style.phase) * (hair.isInStep ? 1.0F : clump);
             if (m_varies)
-                varyCurl(hair.isInStep || clump > kKeepsStep ? variationOf(variation, roots.seed, hair.basisRank)
+                varyCurl(hair.isInStep || clump > kKeepsStep ? curlVariationOf(variation, roots.seed, hair.basisRank)
                                                              : hair.own,
                          hair.style);
             if (m_varies && hair.own.isTurned())
-                turnLane(hair.own, clump, roots.frame(hair.slot), hair.style.lengthM, m_clump.nodes,
-                         nodesHd.data() + i);
+                m_turn.turnLane(i, hair.own, clump, roots.frame(hair.slot), hair.style.lengthM);
             store(hair.slot, hair.style, {.clump = clump, .leader = hair.leader});
-            if (!isBlock)
-                storeLane(hair.slot, nodesHd.data() + i);
         }
-        if (isBlock)
-            std::ranges::copy(nodesHd, m_chunk.restPositions.data() + m_blocks.index(m_laid[0].slot - m_firstSlot, 0));
+        if (m_varies) {
+            turnLanes(m_turn);
+            m_turn.turns.fill(0.0F);
+        }
+        storeLaid();
         m_clump.clump.fill(0.0F);
         m_lay.clear();
         m_waiting = 0;
@@ -311,6 +313,17 @@ private:
         m_blocks.write(m_chunk.restPositions, slot - m_firstSlot, std::span(m_buffer).first(m_nodes));
     }
 
+    /// Stores the nodes of the hairs that wait.
+    void storeLaid()
+    {
+        const std::span<const float> nodesHd = m_lay.nodesHd();
+        if (fillsBlock())
+            std::ranges::copy(nodesHd, m_chunk.restPositions.data() + m_blocks.index(m_laid[0].slot - m_firstSlot, 0));
+        else
+            for (std::size_t i = 0; i < m_waiting; ++i)
+                storeLane(m_laid[i].slot, nodesHd.data() + i);
+    }
+
     /// Stores the nodes of one lane of [nodes][3][kLanes].
     void storeLane(std::uint32_t slot, const float* nodesHd)
     {
@@ -332,6 +345,7 @@ private:
     std::size_t m_waiting = 0;
     std::array<glm::vec3, kMostNodes> m_buffer{};
     ClumpTask m_clump; ///< Draws the hairs that m_lay holds to their locks; all clump is 0 between batches.
+    TurnTask m_turn;   ///< Turns them as chance wants; none is turned between batches.
     std::array<float, std::size_t{kMostNodes} * StrandBlocks::kNodeStride> m_basisHd{};
     std::optional<GatheredWriter> m_gathered; ///< Larger than a cache: made for the first gathered hair.
 };

@@ -2,7 +2,6 @@
 #include "sim/groom/variation.h"
 
 #include "sim/base/deterministic.h"
-#include "sim/base/strand_blocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,21 +58,13 @@ float inPatch(const VariationSettings& settings, glm::vec3 rootHd)
     return settings.patches * (0.5F + 0.5F * wavering(rootHd * kAcross, kPhase));
 }
 
-/// Rotation by an angle around a unit axis.
-class Turn
+void varyCurlBy(const VariationSettings& settings, const Chances& chances, HairVariation& own)
 {
-public:
-    Turn(glm::vec3 axis, float rad) : m_axis(axis), m_of(sinCosDet(rad)) {}
-    [[nodiscard]] glm::vec3 of(glm::vec3 v) const
-    {
-        return v * m_of.cosine + glm::cross(m_axis, v) * m_of.sine +
-               m_axis * (glm::dot(m_axis, v) * (1.0F - m_of.cosine));
-    }
-
-private:
-    glm::vec3 m_axis;
-    SineCosine m_of;
-};
+    if (settings.curl <= 0.0F)
+        return;
+    own.turns = 1.0F + settings.curl * chances.around(Turns);
+    own.radius = 1.0F + settings.curl * chances.around(Radius);
+}
 
 } // namespace
 
@@ -88,10 +79,7 @@ HairVariation variationOf(const VariationSettings& settings, std::uint64_t seed,
         const float shortfall = chances.unit(Length);
         own.length = 1.0F - settings.length * shortfall * shortfall;
     }
-    if (settings.curl > 0.0F) {
-        own.turns = 1.0F + settings.curl * chances.around(Turns);
-        own.radius = 1.0F + settings.curl * chances.around(Radius);
-    }
+    varyCurlBy(settings, chances, own);
     if (settings.width > 0.0F)
         own.width = 1.0F + settings.width * chances.around(Width);
     if (settings.crossing > 0.0F) {
@@ -107,6 +95,14 @@ HairVariation variationOf(const VariationSettings& settings, std::uint64_t seed,
         own.liftRad = kLeastLiftRad + (kMostLiftRad - kLeastLiftRad) * chances.unit(Lift);
     }
     own.isGrey = settings.grey > 0.0F && chances.unit(Grey) < settings.grey;
+    return own;
+}
+
+HairVariation curlVariationOf(const VariationSettings& settings, std::uint64_t seed, std::uint32_t rank)
+{
+    HairVariation own;
+    if (settings.curl > 0.0F)
+        varyCurlBy(settings, Chances(seed, rank), own);
     return own;
 }
 
@@ -178,40 +174,6 @@ glm::vec3 greyed(glm::vec3 colour, float chance)
     constexpr float kDiffers = 0.08F;
     constexpr float kKept = 0.06F;
     return glm::mix(kWhite * (1.0F + kDiffers * chance), colour, kKept);
-}
-
-void turnLane(const HairVariation& variation, float clump, const SkinFrame& frame, float lengthM, int nodes,
-              float* nodesHd)
-{
-    constexpr float kMostAcrossM = 0.04F; ///< Greatest displacement of the tip across, m; kMostLiftM: off the skin.
-    constexpr float kMostLiftM = 0.02F;
-    const auto nodeAt = [nodesHd](int node) {
-        const float* at = nodesHd + static_cast<std::size_t>(node) * StrandBlocks::kNodeStride;
-        return glm::vec3(at[0], at[kLanes], at[2 * kLanes]);
-    };
-    const auto within = [lengthM](float rad, float mostM) {
-        return std::abs(rad) * lengthM > mostM ? std::copysign(mostM / lengthM, rad) : rad;
-    };
-    const float loose = 1.0F - clump;
-    const glm::vec3 rootHd = nodeAt(0);
-    const glm::vec3 directionHd = nodeAt(1) - rootHd;
-    // Around an axis to the side of its first segment it goes towards the normal.
-    const glm::vec3 sideHd = glm::cross(directionHd, frame.normal);
-    const float sine = std::sqrt(glm::dot(sideHd, sideHd));
-    const float standing = std::max(glm::dot(directionHd, frame.normal), 0.0F);
-    const bool hasSide = sine > 1e-3F * standing && sine > 0.0F;
-    const glm::vec3 axis = hasSide ? sideHd / sine : frame.x;
-    const float upright = standing > 0.0F ? standing / std::sqrt(standing * standing + sine * sine) : 0.0F;
-    const Turn across(frame.normal, within(variation.acrossRad * loose, kMostAcrossM));
-    const Turn lean(axis, within(variation.leanRad * (upright * loose), kMostAcrossM) +
-                              (hasSide ? within(variation.liftRad, kMostLiftM) : 0.0F));
-    for (int node = 1; node < nodes; ++node) {
-        const glm::vec3 turned = rootHd + across.of(lean.of(nodeAt(node) - rootHd));
-        float* at = nodesHd + static_cast<std::size_t>(node) * StrandBlocks::kNodeStride;
-        at[0] = turned.x;
-        at[kLanes] = turned.y;
-        at[2 * kLanes] = turned.z;
-    }
 }
 
 } // namespace hairpaint::sim

@@ -28,6 +28,8 @@ struct HairVariation
     [[nodiscard]] bool isTurned() const { return acrossRad != 0.0F || leanRad != 0.0F || liftRad != 0.0F; }
 };
 [[nodiscard]] HairVariation variationOf(const VariationSettings& settings, std::uint64_t seed, std::uint32_t rank);
+/// Of that the curl alone: its turns and its radius.
+[[nodiscard]] HairVariation curlVariationOf(const VariationSettings& settings, std::uint64_t seed, std::uint32_t rank);
 
 /// -1..1 over the skin, smooth over some 2 cm.
 [[nodiscard]] float wavering(glm::vec3 positionHd, float phase);
@@ -52,11 +54,5 @@ inline constexpr float kPartAlongPhase = 2.1F;
 
 /// sRGB as encoded: the hair without its pigment, `chance` in -1..1 lighter.
 [[nodiscard]] glm::vec3 greyed(glm::vec3 colour, float chance);
-
-/// Turns a lane of `nodesHd` [nodes][3][kLanes] around its first node, a long hair by less, so that its tip stays among
-/// others, and one that keeps to a lock the less the closer it does: `clump` 0..1. `frame`: at its root. Lengths stay.
-/// Hd, m.
-void turnLane(const HairVariation& variation, float clump, const SkinFrame& frame, float lengthM, int nodes,
-              float* nodesHd);
 
 } // namespace hairpaint::sim
