@@ -66,15 +66,29 @@ std::shared_ptr<const sim::HeadMesh> bandOver(float halfWidth, float halfThickne
 
 } // namespace
 
+namespace {
+
+const BodyWithTails& bow()
+{
+    static const BodyWithTails made = [] {
+        auto mesh = std::make_shared<sim::HeadMesh>();
+        const std::array<HangingPart, 2> tails = addRibbonBow(*mesh, glm::vec3(0.0F), 1.0F);
+        fitInBall(*mesh, kBowProportions, 1.0F);
+        return BodyWithTails{.mesh = std::move(mesh), .tails = tails};
+    }();
+    return made;
+}
+
+} // namespace
+
 std::shared_ptr<const sim::HeadMesh> bowBody()
 {
-    static const std::shared_ptr<const sim::HeadMesh> body = [] {
-        auto mesh = std::make_shared<sim::HeadMesh>();
-        addRibbonBow(*mesh, glm::vec3(0.0F), 1.0F);
-        fitInBall(*mesh, kBowProportions, 1.0F);
-        return mesh;
-    }();
-    return body;
+    return bow().mesh;
+}
+
+std::span<const HangingPart> bowTails()
+{
+    return bow().tails;
 }
 
 /// A bent wire: one leg straight, the other in waves.

@@ -2,11 +2,13 @@
 // away from it and y up, and is made once.
 #pragma once
 
+#include "model/bodies/hanging_part.h"
 #include "sim/skin/ellipsoid.h"
 #include "sim/skin/head_mesh.h"
 #include "sim/skin/skin.h"
 
 #include <memory>
+#include <span>
 
 namespace hairpaint::model {
 
@@ -16,6 +18,7 @@ inline constexpr glm::vec3 kFlowerProportions{1.0F, 1.0F, 0.45F};
 inline constexpr glm::vec3 kCombProportions{1.0F, 0.75F, 0.4F};
 
 [[nodiscard]] std::shared_ptr<const sim::HeadMesh> bowBody();
+[[nodiscard]] std::span<const HangingPart> bowTails(); ///< Of bowBody().
 [[nodiscard]] std::shared_ptr<const sim::HeadMesh> hairpinBody();
 [[nodiscard]] std::shared_ptr<const sim::HeadMesh> flowerBody();
 [[nodiscard]] std::shared_ptr<const sim::HeadMesh> combBody();

@@ -33,7 +33,7 @@ void addLoop(sim::HeadMesh& mesh, glm::vec3 at, float scale, float to)
 }
 
 /// Down from the knot, in a shallow wave.
-void addTail(sim::HeadMesh& mesh, glm::vec3 at, float scale, float to)
+HangingPart addTail(sim::HeadMesh& mesh, glm::vec3 at, float scale, float to)
 {
     constexpr int kSteps = 20;
     std::vector<RibbonPoint> points;
@@ -44,7 +44,9 @@ void addTail(sim::HeadMesh& mesh, glm::vec3 at, float scale, float to)
                           .across = {1.0F, 0.3F * to, 0.0F},
                           .halfWidth = scale * (0.07F + 0.09F * t)});
     }
+    const auto first = static_cast<std::uint32_t>(mesh.positionsHd.size());
     addRibbon(mesh, points, kThick * scale, kCorners);
+    return {.first = first, .sections = kSteps + 1, .corners = kCorners};
 }
 
 void addKnot(sim::HeadMesh& mesh, glm::vec3 at, float scale)
@@ -65,13 +67,16 @@ void addKnot(sim::HeadMesh& mesh, glm::vec3 at, float scale)
 
 } // namespace
 
-void addRibbonBow(sim::HeadMesh& mesh, glm::vec3 at, float scale)
+std::array<HangingPart, 2> addRibbonBow(sim::HeadMesh& mesh, glm::vec3 at, float scale)
 {
-    for (const float to : {-1.0F, 1.0F}) {
+    std::array<HangingPart, 2> tails;
+    for (std::size_t side = 0; side < tails.size(); ++side) {
+        const float to = side == 0 ? -1.0F : 1.0F;
         addLoop(mesh, at, scale, to);
-        addTail(mesh, at, scale, to);
+        tails.at(side) = addTail(mesh, at, scale, to);
     }
     addKnot(mesh, at, scale);
+    return tails;
 }
 
 } // namespace hairpaint::model

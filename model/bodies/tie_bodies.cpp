@@ -49,16 +49,18 @@ std::shared_ptr<const sim::HeadMesh> elasticBody()
     return body;
 }
 
-std::shared_ptr<const sim::HeadMesh> ribbonTieBody()
+namespace {
+
+const BodyWithTails& ribbonTie()
 {
-    static const std::shared_ptr<const sim::HeadMesh> body = [] {
+    static const BodyWithTails made = [] {
         auto mesh = std::make_shared<sim::HeadMesh>();
         addRing(*mesh, 64, 14, [](float angle) {
             return std::array{0.8F + 0.03F * sim::cosDet(5.0F * angle), 0.0F, 0.1F, 0.42F};
         });
         // The bow lies on the ring, its face up and its tails along the hair that leaves.
         sim::HeadMesh bow;
-        addRibbonBow(bow, glm::vec3(0.0F), 1.9F);
+        std::array<HangingPart, 2> tails = addRibbonBow(bow, glm::vec3(0.0F), 1.9F);
         const auto turned = [](glm::vec3 v) { return glm::vec3(v.x, v.z, -v.y); };
         const auto first = static_cast<unsigned>(mesh->positionsHd.size());
         for (std::size_t i = 0; i < bow.positionsHd.size(); ++i) {
@@ -68,9 +70,23 @@ std::shared_ptr<const sim::HeadMesh> ribbonTieBody()
         }
         for (const glm::uvec3& triangle : bow.triangles)
             mesh->triangles.push_back(triangle + first);
-        return mesh;
+        for (HangingPart& tail : tails)
+            tail.first += first;
+        return BodyWithTails{.mesh = std::move(mesh), .tails = tails};
     }();
-    return body;
+    return made;
+}
+
+} // namespace
+
+std::shared_ptr<const sim::HeadMesh> ribbonTieBody()
+{
+    return ribbonTie().mesh;
+}
+
+std::span<const HangingPart> ribbonTieTails()
+{
+    return ribbonTie().tails;
 }
 
 /// Two strands laid about each other.

@@ -2,9 +2,11 @@
 // made once; a ribbon's bow sits on the ring's +y.
 #pragma once
 
+#include "model/bodies/hanging_part.h"
 #include "sim/skin/head_mesh.h"
 
 #include <memory>
+#include <span>
 
 namespace hairpaint::model {
 
@@ -13,6 +15,7 @@ inline constexpr float kTieHole = 0.62F; ///< Inner radius of each ring.
 
 [[nodiscard]] std::shared_ptr<const sim::HeadMesh> elasticBody();
 [[nodiscard]] std::shared_ptr<const sim::HeadMesh> ribbonTieBody();
+[[nodiscard]] std::span<const HangingPart> ribbonTieTails(); ///< Of ribbonTieBody().
 [[nodiscard]] std::shared_ptr<const sim::HeadMesh> cordBody();
 [[nodiscard]] std::shared_ptr<const sim::HeadMesh> metalRingBody();
 

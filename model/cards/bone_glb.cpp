@@ -55,32 +55,47 @@ void addColliders(const BoneRoot& root, const JointPose& head, std::span<const s
 
 } // namespace
 
-BoneGlb boneGlb(const CurveSet& curves, const std::vector<BoneChain>& chains, std::span<const sim::Ellipsoid> colliders,
-                const JointPose& head, const BoneRoot& root, int firstNode)
+std::vector<SpringChain> springsOf(const CurveSet& curves, const std::vector<BoneChain>& chains, const JointPose& frame)
+{
+    std::vector<SpringChain> springs;
+    springs.reserve(chains.size());
+    for (const BoneChain& chain : chains) {
+        SpringChain& spring = springs.emplace_back(
+            SpringChain{.name = QStringLiteral("%1 %2").arg(curves.groups()[chain.group].name).arg(springs.size() + 1),
+                        .joints = {},
+                        .physics = curves.physics(chain.group)});
+        for (const glm::vec3& joint : chain.jointsWo)
+            spring.joints.push_back(frame.position + frame.rotation * joint);
+    }
+    return springs;
+}
+
+BoneGlb boneGlb(std::span<const SpringChain> chains, std::span<const sim::Ellipsoid> colliders, const JointPose& head,
+                const BoneRoot& root, int firstNode)
 {
     BoneGlb made{
         .nodes = {}, .below = {}, .joints = {root.node}, .inverseBind = {inverseBind(root.pose)}, .springBone = {}};
     const glm::quat back = glm::conjugate(root.pose.rotation);
     QJsonArray springs;
-    for (std::size_t chain = 0; chain < chains.size(); ++chain) {
-        const BoneChain& own = chains[chain];
-        const QString name = QStringLiteral("%1 %2").arg(curves.groups()[own.group].name).arg(chain + 1);
+    for (const SpringChain& chain : chains) {
         QJsonArray links;
-        for (std::size_t j = 0; j < BoneChain::kJoints; ++j) {
-            const int node = firstNode + static_cast<int>(BoneChain::kJoints * chain + j);
-            const glm::vec3 parent = j > 0 ? own.jointsWo.at(j - 1) : root.pose.position;
-            QJsonObject joint{{QStringLiteral("name"), QStringLiteral("%1.%2").arg(name).arg(j + 1)},
-                              {QStringLiteral("translation"), jsonNumbers(back * (own.jointsWo.at(j) - parent))}};
-            if (j + 1 < BoneChain::kJoints)
+        glm::vec3 parent = root.pose.position;
+        for (std::size_t j = 0; j < chain.joints.size(); ++j) {
+            const int node = firstNode + static_cast<int>(made.nodes.size());
+            const glm::vec3& position = chain.joints[j];
+            QJsonObject joint{{QStringLiteral("name"), QStringLiteral("%1.%2").arg(chain.name).arg(j + 1)},
+                              {QStringLiteral("translation"), jsonNumbers(back * (position - parent))}};
+            if (j + 1 < chain.joints.size())
                 joint.insert(QStringLiteral("children"), QJsonArray{node + 1});
             made.nodes.append(joint);
             made.joints.append(node);
-            links.append(springJoint(node, curves.physics(own.group)));
-            made.inverseBind.push_back(inverseBind({.position = own.jointsWo.at(j), .rotation = root.pose.rotation}));
+            links.append(springJoint(node, chain.physics));
+            made.inverseBind.push_back(inverseBind({.position = position, .rotation = root.pose.rotation}));
             if (j == 0)
                 made.below.append(node);
+            parent = position;
         }
-        QJsonObject spring{{QStringLiteral("name"), name}, {QStringLiteral("joints"), links}};
+        QJsonObject spring{{QStringLiteral("name"), chain.name}, {QStringLiteral("joints"), links}};
         if (!colliders.empty())
             spring.insert(QStringLiteral("colliderGroups"), QJsonArray{0});
         springs.append(spring);

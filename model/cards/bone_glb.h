@@ -1,4 +1,4 @@
-// The joints of cards, and how they swing, as JSON of a glTF.
+// Joints of what hangs, and how they swing, as JSON of a glTF.
 #pragma once
 
 #include "model/cards/card_bones.h"
@@ -20,6 +20,17 @@ struct BoneRoot
     JointPose pose;
 };
 
+/// Joints one after another, each the parent of the next; the last only tells where the hair or the ribbon ends.
+struct SpringChain
+{
+    QString name;
+    std::vector<glm::vec3> joints;  ///< Where they stand in the file, two at least.
+    sim::PhysicsSettings physics{}; ///< Of the hair, or as if it were hair.
+};
+/// Those of hair; `frame`: where the space of the chains stands in the file.
+[[nodiscard]] std::vector<SpringChain> springsOf(const CurveSet& curves, const std::vector<BoneChain>& chains,
+                                                 const JointPose& frame = {});
+
 struct BoneGlb
 {
     QJsonArray nodes;  ///< Each chain's joints; the first has the number `firstNode`.
@@ -29,9 +40,8 @@ struct BoneGlb
     QJsonObject springBone; ///< VRMC_springBone.
 };
 
-/// Joints of the chains; `chains` where they stand in the file. `colliders`: Hd; `head`: where that is in the file.
-[[nodiscard]] BoneGlb boneGlb(const CurveSet& curves, const std::vector<BoneChain>& chains,
-                              std::span<const sim::Ellipsoid> colliders, const JointPose& head, const BoneRoot& root,
-                              int firstNode);
+/// Joints of the chains. `colliders`: Hd; `head`: where that is in the file.
+[[nodiscard]] BoneGlb boneGlb(std::span<const SpringChain> chains, std::span<const sim::Ellipsoid> colliders,
+                              const JointPose& head, const BoneRoot& root, int firstNode);
 
 } // namespace hairpaint::model

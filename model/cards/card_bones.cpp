@@ -18,17 +18,17 @@ BoneChain chainAlong(const HairLock& lock, std::size_t group)
     return chain;
 }
 
-/// How many joints of the chain lie before the point, with a fraction.
-float jointsBefore(const BoneChain& chain, const glm::vec3& positionWo)
+/// How many of the joints lie before the point, with a fraction.
+float jointsBefore(std::span<const glm::vec3> joints, const glm::vec3& position)
 {
     float least = 0.0F;
     float found = 0.0F;
-    for (std::size_t j = 0; j + 1 < BoneChain::kJoints; ++j) {
-        const glm::vec3& from = chain.jointsWo.at(j);
-        const glm::vec3 along = chain.jointsWo.at(j + 1) - from;
+    for (std::size_t j = 0; j + 1 < joints.size(); ++j) {
+        const glm::vec3& from = joints[j];
+        const glm::vec3 along = joints[j + 1] - from;
         const float square = glm::dot(along, along);
-        const float part = square > 0.0F ? glm::clamp(glm::dot(positionWo - from, along) / square, 0.0F, 1.0F) : 0.0F;
-        const float away = glm::distance(positionWo, from + part * along);
+        const float part = square > 0.0F ? glm::clamp(glm::dot(position - from, along) / square, 0.0F, 1.0F) : 0.0F;
+        const float away = glm::distance(position, from + part * along);
         if (j == 0 || away < least) {
             least = away;
             found = static_cast<float>(j) + part;
@@ -52,23 +52,20 @@ std::size_t CardBones::chainFor(const CardStrip& strip) const
 
 BoneWeights CardBones::weightsAt(std::size_t chain, const glm::vec3& positionWo) const
 {
-    const float before = jointsBefore(chains[chain], positionWo);
+    return weightsAlong(chains[chain].jointsWo, 1 + BoneChain::kJoints * chain, positionWo);
+}
+
+BoneWeights weightsAlong(std::span<const glm::vec3> joints, std::size_t firstJoint, const glm::vec3& position)
+{
+    const float before = jointsBefore(joints, position);
     const auto whole = static_cast<std::size_t>(before);
     const float part = before - static_cast<float>(whole);
     // A joint turns what comes after it, wholly from the next joint on.
     const auto jointAt = [&](std::size_t number) {
-        return static_cast<std::uint16_t>(number == 0 ? 0 : BoneChain::kJoints * chain + number);
+        return static_cast<std::uint16_t>(number == 0 ? 0 : firstJoint + number - 1);
     };
     const std::uint16_t next = part > 0.0F ? jointAt(whole + 1) : std::uint16_t{0};
     return {.joints = {jointAt(whole), next, 0, 0}, .weights = {1.0F - part, part, 0.0F, 0.0F}};
-}
-
-std::vector<BoneChain> movedChains(std::vector<BoneChain> chains, const JointPose& frame)
-{
-    for (BoneChain& chain : chains)
-        for (glm::vec3& joint : chain.jointsWo)
-            joint = frame.position + frame.rotation * joint;
-    return chains;
 }
 
 CardBones bonesFor(const SampledHair& hair, std::vector<std::vector<std::uint32_t>> sets)

@@ -6,9 +6,15 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace hairpaint::model {
+
+/// Weights of a vertex that follows joints one after another, of which the first has the number `firstJoint`; at the
+/// first it follows joint 0, the head.
+[[nodiscard]] BoneWeights weightsAlong(std::span<const glm::vec3> joints, std::size_t firstJoint,
+                                       const glm::vec3& position);
 
 /// Some joints one after another, each the parent of the next; the last only tells where the hair ends.
 struct BoneChain
@@ -29,9 +35,6 @@ struct CardBones
     /// Weights of a vertex that follows a chain; at its root it follows the head.
     [[nodiscard]] BoneWeights weightsAt(std::size_t chain, const glm::vec3& positionWo) const;
 };
-
-/// The chains in the coordinates of `frame`.
-[[nodiscard]] std::vector<BoneChain> movedChains(std::vector<BoneChain> chains, const JointPose& frame);
 
 /// Some two dozen chains or fewer for all hair. `sets`: hairs by group.
 [[nodiscard]] CardBones bonesFor(const SampledHair& hair, std::vector<std::vector<std::uint32_t>> sets);

@@ -5,6 +5,7 @@
 #include "model/cards/avatar_glb.h"
 #include "model/cards/bone_glb.h"
 #include "model/cards/card_mesh.h"
+#include "model/cards/worn_springs.h"
 #include "model/exporting/glb_buffer.h"
 #include "model/exporting/worn_body.h"
 #include "model/files/glb_writing.h"
@@ -95,8 +96,21 @@ public:
         addBody(body.name, body.mesh, own, bones, skin);
     }
 
+    /// A thing whose parts that hang swing: its chains are added to `springs`. With the first skin, whose joints are
+    /// the head and then theirs.
+    void addSwinging(const WornBody& body, std::vector<SpringChain>& springs)
+    {
+        std::size_t joint = 1;
+        for (const SpringChain& spring : springs)
+            joint += spring.joints.size();
+        const std::vector<SpringChain> own = springsOf(body);
+        addWorn(body, springWeights(body, own, joint), 0);
+        springs.insert(springs.end(), own.begin(), own.end());
+    }
+
     /// The chains hang from a joint that is made for them.
-    void addBones(const CurveSet& curves, const CardBones& bones, std::span<const sim::Ellipsoid> colliders)
+    void addBones(const CurveSet& curves, std::span<const SpringChain> springs,
+                  std::span<const sim::Ellipsoid> colliders)
     {
         const BoneRoot root{.node = static_cast<int>(m_nodes.size()),
                             .pose = {.position = curves.groups().front().middleWo}};
@@ -104,24 +118,23 @@ public:
         m_sceneNodes.append(root.node);
         m_nodes.append(QJsonObject{{QStringLiteral("name"), QStringLiteral("Head")},
                                    {QStringLiteral("translation"), jsonNumbers(root.pose.position)}});
-        addChains(boneGlb(curves, bones.chains, colliders, head, root, root.node + 1), root.node);
+        addChains(boneGlb(springs, colliders, head, root, root.node + 1), root.node);
     }
 
-    /// The skeleton with what VRM says of it, as the second skin where there is hair that swings. The chains hang from
-    /// its head. `frame`: where the hair's space stands in the file.
-    void addAvatar(const CurveSet& curves, const HairCards& cards, const ExportSettings& settings,
-                   const AvatarBody& body, const JointPose& frame)
+    /// The skeleton with what VRM says of it, as the second skin where there is something that swings. The chains hang
+    /// from its head.
+    void addAvatar(std::span<const SpringChain> springs, const ExportSettings& settings, const AvatarBody& body)
     {
         const auto first = static_cast<int>(m_nodes.size());
         const AvatarGlb made = avatarGlb(*settings.avatar, body, first);
         m_sceneNodes.append(first);
         for (const auto& node : made.nodes)
             m_nodes.append(node);
-        if (cards.bones) {
+        if (!springs.empty()) {
             const BoneRoot root{.node = made.headNode,
                                 .pose = body.poses[static_cast<std::size_t>(made.headNode - first)]};
-            addChains(boneGlb(curves, movedChains(cards.bones->chains, frame), contactShapes(settings.worn),
-                              {.rotation = body.turn}, root, static_cast<int>(m_nodes.size())),
+            addChains(boneGlb(springs, contactShapes(settings.worn), {.rotation = body.turn}, root,
+                              static_cast<int>(m_nodes.size())),
                       made.headNode);
         }
         addSkin(QStringLiteral("Body"), made.joints, made.inverseBind);
@@ -367,8 +380,10 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
         if (!levels.empty())
             glb.addCards(curves.groups()[group].name, levels);
     }
+    std::vector<SpringChain> springs =
+        cards.bones ? springsOf(curves, cards.bones->chains, frame) : std::vector<SpringChain>();
     if (avatar != nullptr) {
-        const int skin = cards.bones ? 1 : 0;
+        const int skin = springs.empty() ? 0 : 1;
         glb.addHead(body.mesh, settings.skinColour, settings.headTexture, avatar->skeleton.weights, skin);
         for (std::size_t i = 0; i < body.parts.size(); ++i)
             glb.addPart(body.parts[i], avatar->parts[i], avatar->partWeights[i], skin);
@@ -377,12 +392,16 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
             if (!wornSpec(worn.kind).drawn())
                 continue;
             const WornBody thing = wornBody(worn, turnedWorn(curves, worn, body.turn));
-            glb.addWorn(thing, std::vector<BoneWeights>(thing.mesh.vertices.size(), headBone), skin);
+            if (springs.empty() || thing.hanging.empty())
+                glb.addWorn(thing, std::vector<BoneWeights>(thing.mesh.vertices.size(), headBone), skin);
+            else
+                glb.addSwinging(thing, springs);
         }
-        glb.addAvatar(curves, cards, settings, body, frame);
+        glb.addAvatar(springs, settings, body);
     } else {
-        const auto held = [&cards](const PosedMesh& mesh) {
-            return std::vector<BoneWeights>(cards.bones ? mesh.vertices.size() : 0);
+        const bool swings = !springs.empty();
+        const auto held = [swings](const PosedMesh& mesh) {
+            return std::vector<BoneWeights>(swings ? mesh.vertices.size() : 0);
         };
         const PosedMesh head = settings.cards.withHead ? posedHead(curves) : PosedMesh{};
         if (!head.indices.empty()) {
@@ -393,14 +412,14 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
             }
         }
         for (const WornBody& thing : wornBodies(curves, settings.worn))
-            glb.addWorn(thing, held(thing.mesh), 0);
+            swings ? glb.addSwinging(thing, springs) : glb.addWorn(thing, {}, 0);
     }
     if (cards.patches.empty()) {
         glb.addPartImages();
         return glb.finish();
     }
-    if (cards.bones && avatar == nullptr)
-        glb.addBones(curves, *cards.bones, contactShapes(settings.worn));
+    if (!springs.empty() && avatar == nullptr)
+        glb.addBones(curves, springs, contactShapes(settings.worn));
     for (std::size_t i = 0; i < pngs.size(); ++i)
         if (cardImageKinds()[i].embedded)
             glb.addImage(QString::fromLatin1(cardImageKinds()[i].name), pngs[i]);

@@ -12,6 +12,7 @@ WornBody wornBody(const Worn& worn, PosedMesh mesh)
             .mesh = std::move(mesh),
             .colour = worn.colour,
             .isOpen = worn.ownMesh.isRead(),
+            .hanging = hangingParts(worn),
             .roughness = kLeastRoughness + (1.0 - kLeastRoughness) * (1.0 - static_cast<double>(worn.sheen))};
 }
 

@@ -16,8 +16,9 @@ struct WornBody
 {
     QString name; ///< "Worn ponytail 3": its kind and id.
     PosedMesh mesh;
-    QRgb colour = 0;        ///< sRGB, opaque.
-    bool isOpen = false;    ///< Whether its inside is seen, too.
+    QRgb colour = 0;                           ///< sRGB, opaque.
+    bool isOpen = false;                       ///< Whether its inside is seen, too.
+    std::span<const HangingPart> hanging = {}; ///< Parts of the mesh that may swing.
     double roughness = 1.0; ///< 0..1, of glTF's metallic-roughness material, and USD's UsdPreviewSurface.
 };
 

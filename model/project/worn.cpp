@@ -105,6 +105,16 @@ std::shared_ptr<const sim::HeadMesh> wornMesh(const Worn& worn, const sim::Skin*
     return spec.drawn() ? spec.mesh() : nullptr;
 }
 
+std::span<const HangingPart> hangingParts(const Worn& worn)
+{
+    const WornSpec& spec = wornSpec(worn.kind);
+    if (worn.ownMesh.isRead())
+        return {};
+    const auto hanging =
+        spec.makes.empty() ? spec.hanging : spec.makes[std::min<std::size_t>(worn.make, spec.makes.size() - 1)].hanging;
+    return hanging != nullptr ? hanging() : std::span<const HangingPart>();
+}
+
 std::optional<sim::Tie> tieOf(const Worn& worn)
 {
     const WornSpec& spec = wornSpec(worn.kind);

@@ -2,6 +2,7 @@
 // pictures read it.
 #pragma once
 
+#include "model/bodies/hanging_part.h"
 #include "model/project/change.h"
 #include "model/project/own_mesh.h"
 #include "sim/groom/tie.h"
@@ -84,10 +85,11 @@ enum class WornHandles : std::uint8_t
 /// What a thing is made of.
 struct WornMake
 {
-    const char* id;                                 ///< Name of the make in files.
-    const char* title;                              ///< To be translated in context "Worn".
-    float sheen;                                    ///< Worn::sheen of a new thing of this make.
-    std::shared_ptr<const sim::HeadMesh> (*mesh)(); ///< See WornSpec::mesh.
+    const char* id;                                      ///< Name of the make in files.
+    const char* title;                                   ///< To be translated in context "Worn".
+    float sheen;                                         ///< Worn::sheen of a new thing of this make.
+    std::shared_ptr<const sim::HeadMesh> (*mesh)();      ///< See WornSpec::mesh.
+    std::span<const HangingPart> (*hanging)() = nullptr; ///< See WornSpec::hanging.
 };
 
 /// A kind. Texts are in context "Worn" (wornText).
@@ -121,6 +123,8 @@ struct WornSpec
     /// The closed mesh that is drawn, within the unit ball, which the shape scales, rotates and moves. Null: never
     /// drawn, and only to be picked while colliders are shown.
     std::shared_ptr<const sim::HeadMesh> (*mesh)();
+    /// The parts of that mesh that hang; null: none.
+    std::span<const HangingPart> (*hanging)() = nullptr;
     /// For a kind that fits the head, instead of `mesh`: the mesh for that shape on that skin.
     std::shared_ptr<const sim::HeadMesh> (*fitted)(const sim::Ellipsoid& shape, const sim::Skin& skin) = nullptr;
     std::span<const WornMake> makes = {}; ///< Makes to choose from; a new thing has the first, whose mesh is `mesh`.
@@ -154,6 +158,8 @@ struct WornSpec
 /// The mesh that is drawn, in the space of the unit ball (rendering::Solid). It is made once, but at each call for a
 /// kind that fits the head; without a skin it fits none. Null for a kind that is not drawn.
 [[nodiscard]] std::shared_ptr<const sim::HeadMesh> wornMesh(const Worn& worn, const sim::Skin* skin);
+/// The parts of that mesh that hang from it and may swing, where a file is for a program that lets them.
+[[nodiscard]] std::span<const HangingPart> hangingParts(const Worn& worn);
 /// The tie that the groom has for the thing; none where it gathers no hair.
 [[nodiscard]] std::optional<sim::Tie> tieOf(const Worn& worn);
 

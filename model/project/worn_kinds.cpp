@@ -15,7 +15,11 @@ namespace {
 
 constexpr std::array kTieMakes = {
     WornMake{.id = "elastic", .title = QT_TRANSLATE_NOOP("Worn", "Elastic"), .sheen = 0.2F, .mesh = elasticBody},
-    WornMake{.id = "ribbon", .title = QT_TRANSLATE_NOOP("Worn", "Ribbon"), .sheen = 0.35F, .mesh = ribbonTieBody},
+    WornMake{.id = "ribbon",
+             .title = QT_TRANSLATE_NOOP("Worn", "Ribbon"),
+             .sheen = 0.35F,
+             .mesh = ribbonTieBody,
+             .hanging = ribbonTieTails},
     WornMake{.id = "cord", .title = QT_TRANSLATE_NOOP("Worn", "Cord"), .sheen = 0.1F, .mesh = cordBody},
     WornMake{.id = "ring", .title = QT_TRANSLATE_NOOP("Worn", "Metal ring"), .sheen = 1.0F, .mesh = metalRingBody},
 };
@@ -191,6 +195,7 @@ constexpr std::array kWornSpecs = {
              .ofHead = false,
              .collides = false,
              .mesh = bowBody,
+             .hanging = bowTails,
              .proportions = kBowProportions,
              .stands = true,
              .sitsOnTies = true},

@@ -136,6 +136,44 @@ private Q_SLOTS:
         QCOMPARE(skinned, 2); // One level alone.
     }
 
+    void theTailsOfABowSwing()
+    {
+        sim::SurfacePoint point;
+        point.positionHd = {0.0F, 1.75F, -0.05F};
+        point.normalHd = {0.0F, 0.0F, -1.0F};
+        Worn bow = makeWorn(wornSpec(WornKind::Bow), point);
+        bow.id = 5;
+        const auto frame = frameOf({hairGroup(1, 30'000, 65535, 0)});
+        const QJsonObject plain = exported(frame, mannequinAvatar());
+        const QJsonObject json = exported(frame, mannequinAvatar(), {bow});
+        const auto springsIn = [](const QJsonObject& file) {
+            return file[QLatin1String("extensions")][QLatin1String("VRMC_springBone")][QLatin1String("springs")]
+                .toArray();
+        };
+        const QJsonArray springs = springsIn(json);
+        QCOMPARE(springs.size(), springsIn(plain).size() + 2);
+        const QJsonArray nodes = json[QLatin1String("nodes")].toArray();
+        qsizetype joints = 1;
+        for (const QJsonValue spring : springs)
+            joints += spring[QLatin1String("joints")].toArray().size();
+        QCOMPARE(json[QLatin1String("skins")][0][QLatin1String("joints")].toArray().size(), joints);
+        for (qsizetype i = springs.size() - 2; i < springs.size(); ++i) {
+            QVERIFY(springs[i][QLatin1String("name")].toString().startsWith(QLatin1String("Worn bow 5 tail ")));
+            // From joint to joint it goes down.
+            const QJsonArray chain = springs[i][QLatin1String("joints")].toArray();
+            QCOMPARE(chain.size(), qsizetype{4});
+            for (qsizetype j = 1; j < chain.size(); ++j) {
+                const QJsonValue node = nodes[chain[j][QLatin1String("node")].toInt()];
+                QVERIFY(node[QLatin1String("translation")][1].toDouble() < 0.0);
+            }
+        }
+        const auto body = std::ranges::find_if(nodes, [](const QJsonValue& node) {
+            return node[QLatin1String("name")].toString() == QLatin1String("Worn bow 5");
+        });
+        QVERIFY(body != nodes.end());
+        QCOMPARE((*body)[QLatin1String("skin")].toInt(-1), 0);
+    }
+
     void whatIsWornHangsFromTheHeadBone_data()
     {
         QTest::addColumn<bool>("hasHair");

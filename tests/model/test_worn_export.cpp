@@ -1,4 +1,5 @@
 // What is worn leaves with the hair.
+#include "model/cards/worn_springs.h"
 #include "model/formats/export_format.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/exported_hair.h"
@@ -89,6 +90,45 @@ private Q_SLOTS:
     }
 
     /// Neither file is replaced where one cannot be; hair alone needs no materials.
+    void onlyItsTailsFollowTheSpringsOfABow_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<int>("make");
+        QTest::newRow("a bow") << static_cast<int>(WornKind::Bow) << 0;
+        QTest::newRow("the bow of a ribbon") << static_cast<int>(WornKind::Ponytail) << 1;
+    }
+    void onlyItsTailsFollowTheSpringsOfABow()
+    {
+        QFETCH(int, kind);
+        QFETCH(int, make);
+        Worn bow = onTopOfAll(static_cast<WornKind>(kind), 1);
+        bow.make = static_cast<std::uint8_t>(make);
+        const auto frame = test::frameOf({test::hairGroup(1, 20'000, 65535, 0)});
+        const std::optional<CurveSet> curves = CurveSet::of(frame, test::allOf(*frame));
+        QVERIFY(curves.has_value());
+        const WornBody body = wornBodies(*curves, std::span(&bow, 1)).front();
+        const std::vector<SpringChain> springs = springsOf(body);
+        QCOMPARE(springs.size(), std::size_t{2});
+        const std::vector<BoneWeights> weights = springWeights(body, springs, 11);
+        QCOMPARE(weights.size(), body.mesh.vertices.size());
+        std::size_t swinging = 0;
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            QVERIFY(std::abs(weights[i].weights.x + weights[i].weights.y - 1.0F) < 1e-5F);
+            QVERIFY(weights[i].joints[0] == 0 || (weights[i].joints[0] >= 11 && weights[i].joints[0] < 19));
+            swinging += weights[i].joints[0] != 0 ? 1 : 0;
+        }
+        QVERIFY(swinging > weights.size() / 8 && swinging < weights.size() / 2);
+        // Each tail's own end follows its own last but one joint.
+        for (std::size_t i = 0; i < springs.size(); ++i) {
+            const HangingPart& part = body.hanging[i];
+            const BoneWeights& end = weights[part.first + part.sections * part.corners - 1];
+            QCOMPARE(static_cast<std::size_t>(end.joints[0]), 11 + 4 * i + (end.weights.y > 0.0F ? 1 : 2));
+        }
+        bow.make = 0;
+        bow.kind = WornKind::Hairpin;
+        QVERIFY(springsOf(wornBodies(*curves, std::span(&bow, 1)).front()).empty());
+    }
+
     void materialsLieBesideALineFileOrNothingDoes()
     {
         QTemporaryDir folder;
