@@ -50,14 +50,17 @@ template<typename Radius>
 std::shared_ptr<const sim::HeadMesh> bandOver(float halfWidth, float halfThickness, const Radius& radiusAt)
 {
     constexpr int kSteps = 72;
-    constexpr float kEnd = 1.5F; // rad; to behind the ears.
+    constexpr float kEnd = 1.85F; // rad; to behind the ears.
     std::vector<RibbonPoint> points;
     for (int i = 0; i <= kSteps; ++i) {
         const float t = 2.0F * static_cast<float>(i) / kSteps - 1.0F;
         const float angle = kEnd * t;
+        const float square = t * t;
+        const float nearEnd = square * square * square * square * square;
+        const float round = std::sqrt(1.0F - 0.97F * nearEnd * nearEnd);
         points.push_back({.centre = glm::vec3(sim::sinDet(angle), 0.0F, sim::cosDet(angle)) * radiusAt(angle),
                           .across = {0.0F, 1.0F, 0.0F},
-                          .halfWidth = halfWidth * (1.0F - 0.45F * t * t)});
+                          .halfWidth = halfWidth * round * (1.0F - 0.6F * square)});
     }
     auto mesh = std::make_shared<sim::HeadMesh>();
     addRibbon(*mesh, points, halfThickness, 16);
@@ -182,7 +185,7 @@ std::shared_ptr<const sim::HeadMesh> headbandBody(const sim::Ellipsoid& shape, c
     constexpr float kOffSkinM = 0.006F; // Hair goes under it.
     constexpr float kHalfThickM = 0.0015F;
     constexpr int kAngles = 33;
-    constexpr float kSpan = 1.6F; // rad, to each side.
+    constexpr float kSpan = 1.9F; // rad, to each side.
     // Ears and the like are bridged: the band is stretched over its highest points.
     std::vector<float> radii(kAngles, shape.semiAxesM.z);
     const glm::quat rotation = glm::normalize(shape.rotation);

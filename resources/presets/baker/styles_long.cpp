@@ -152,6 +152,9 @@ Style headband()
                     combBack(user);
                     user.wear(model::WornKind::Headband, user.above(0.0F, 0.022F));
                     user.setWorn(model::WornKind::Headband, [](model::Worn& band) {
+                        // Its ends go behind the ears.
+                        constexpr float kBackRad = 0.2F;
+                        band.shape.rotation *= glm::angleAxis(kBackRad, glm::vec3(1.0F, 0.0F, 0.0F));
                         band.colour = 0xFF8A1428;
                         band.sheen = 0.3F;
                     });

@@ -137,7 +137,12 @@ Style halfUp()
                     user.setMirror(true);
                     user.gather(WornKind::Ponytail, user.around(180.0F, 0.066F));
                     setTies(user, WornKind::Ponytail, 0xFF7A1830, 0.011F);
-                    user.setWorn(WornKind::Ponytail, [](model::Worn& tie) { tie.tightness = 0.4F; });
+                    user.setWorn(WornKind::Ponytail, [](model::Worn& tie) {
+                        // It leaves downward, close to the hair that hangs loose.
+                        constexpr float kDownRad = 1.1F;
+                        tie.tightness = 0.4F;
+                        tie.shape.rotation *= glm::angleAxis(kDownRad, glm::vec3(1.0F, 0.0F, 0.0F));
+                    });
                     user.wear(WornKind::Bow, user.around(180.0F, 0.070F));
                     user.setWorn(WornKind::Bow, [](model::Worn& bow) {
                         bow.colour = 0xFF7A1830;
