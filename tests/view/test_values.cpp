@@ -228,8 +228,8 @@ private Q_SLOTS:
             return skin != all.end() && (*skin)->isEnabled();
         };
         QVERIFY(isAsked(model::CombKind::Lay));
+        QVERIFY(isAsked(model::CombKind::Hold));
         QVERIFY(!isAsked(model::CombKind::Whorl));
-        QVERIFY(!isAsked(model::CombKind::Hold));
     }
 
     void what_is_no_colour_is_said_and_the_true_one_comes_back()
