@@ -315,9 +315,11 @@ CommandPtr withPatches(Document& document, CommandPtr command, Project after, co
 CommandPtr editCommand(Document& document, const Change& change, const QString& text,
                        std::function<void(Project&)> edit)
 {
+    if (!needsPatches(change))
+        return plainEditCommand(document, change, text, std::move(edit));
     CommandPtr command = plainEditCommand(document, change, text, edit);
-    if (command == nullptr || !needsPatches(change))
-        return command;
+    if (command == nullptr)
+        return nullptr;
     Project after = document.committed();
     runFollowingTies(after, edit);
     return withPatches(document, std::move(command), std::move(after), text);

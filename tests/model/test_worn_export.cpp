@@ -112,10 +112,10 @@ private Q_SLOTS:
         const std::vector<BoneWeights> weights = springWeights(body, springs, 11);
         QCOMPARE(weights.size(), body.mesh.vertices.size());
         std::size_t swinging = 0;
-        for (std::size_t i = 0; i < weights.size(); ++i) {
-            QVERIFY(std::abs(weights[i].weights.x + weights[i].weights.y - 1.0F) < 1e-5F);
-            QVERIFY(weights[i].joints[0] == 0 || (weights[i].joints[0] >= 11 && weights[i].joints[0] < 19));
-            swinging += weights[i].joints[0] != 0 ? 1 : 0;
+        for (const BoneWeights& one : weights) {
+            QVERIFY(std::abs(one.weights.x + one.weights.y - 1.0F) < 1e-5F);
+            QVERIFY(one.joints[0] == 0 || (one.joints[0] >= 11 && one.joints[0] < 19));
+            swinging += one.joints[0] != 0 ? 1 : 0;
         }
         QVERIFY(swinging > weights.size() / 8 && swinging < weights.size() / 2);
         // Each tail's own end follows its own last but one joint.
