@@ -76,9 +76,9 @@ void TestCornrows::aStripIsOneRowFromItsUpperEndToItsLower()
     const float expectedM = 0.3F * 3.1416F * 0.1F;
     QVERIFY2(std::abs(row.lengthM - expectedM) < 0.1F * expectedM, qPrintable(QString::number(row.lengthM)));
     QVERIFY(row.pointsHd.front().y > row.pointsHd.back().y + 0.06F);
-    for (std::size_t i = 0; i < row.pointsHd.size(); ++i) {
-        QVERIFY(std::abs(glm::length(row.pointsHd[i]) - 0.1F) < 0.002F);
-        const float u = 0.5F + std::atan2(row.pointsHd[i].x, row.pointsHd[i].z) / 6.2832F;
+    for (const glm::vec3& point : row.pointsHd) {
+        QVERIFY(std::abs(glm::length(point) - 0.1F) < 0.002F);
+        const float u = 0.5F + std::atan2(point.x, point.z) / 6.2832F;
         QVERIFY2(std::abs(u - 0.416F) < 0.012F, qPrintable(QString::number(u)));
     }
     QVERIFY(std::abs(nearestOnRow(row, row.pointsHd[16]).alongM - 0.5F * row.lengthM) < 0.01F * row.lengthM);
