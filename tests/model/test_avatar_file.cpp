@@ -217,6 +217,34 @@ private Q_SLOTS:
         QCOMPARE(material[QLatin1String("pbrMetallicRoughness")][QLatin1String("roughnessFactor")].toDouble(), 1.0);
     }
 
+    void anOwnMeshIsHeldByTheHeadBone()
+    {
+        const auto mesh = std::make_shared<const sim::HeadMesh>(test::makeBallHead(8, 1.0F));
+        Worn worn = bead();
+        worn.kind = WornKind::Mesh;
+        worn.colour = 0xFF00FF00;
+        worn.ownMesh.own = std::make_shared<const OwnMesh>(
+            OwnMesh{.name = QStringLiteral("hat"), .entry = 0, .glb = "x", .mesh = mesh, .mirrored = mesh});
+        const QJsonObject json =
+            exported(frameOf({hairGroup(1, 30'000, 65535, 0)}), mannequinAvatar(), {std::move(worn)});
+        const QJsonArray nodes = json[QLatin1String("nodes")].toArray();
+        const auto node = std::ranges::find_if(nodes, [](const QJsonValue& one) {
+            return one[QLatin1String("name")].toString() == QLatin1String("Worn mesh 9");
+        });
+        QVERIFY(node != nodes.end());
+        const QJsonValue skin = json[QLatin1String("skins")][(*node)[QLatin1String("skin")].toInt()];
+        QCOMPARE(skin[QLatin1String("name")].toString(), QStringLiteral("Body"));
+        const QJsonValue primitive =
+            json[QLatin1String("meshes")][(*node)[QLatin1String("mesh")].toInt()][QLatin1String("primitives")][0];
+        const QJsonValue indices = json[QLatin1String("accessors")][primitive[QLatin1String("indices")].toInt()];
+        QCOMPARE(indices[QLatin1String("count")].toInteger(), static_cast<qint64>(3 * mesh->triangles.size()));
+        // Its inside may be seen.
+        const QJsonValue material = json[QLatin1String("materials")][primitive[QLatin1String("material")].toInt()];
+        QVERIFY(material[QLatin1String("doubleSided")].toBool());
+        const QJsonValue factor = material[QLatin1String("pbrMetallicRoughness")][QLatin1String("baseColorFactor")];
+        QVERIFY(factor[0].toDouble() < 0.01 && factor[1].toDouble() > 0.99);
+    }
+
     void aBaldAvatarIsOneToo()
     {
         const QJsonObject json = exported(frameOf({hairGroup(1, 0, 65535, 0)}), mannequinAvatar());
