@@ -24,6 +24,13 @@ std::vector<sim::Ellipsoid> shapesWhere(const std::vector<Worn>& all, const Want
     return shapes;
 }
 
+/// What it is made of; null for a kind without makes.
+const WornMake* makeOf(const Worn& worn)
+{
+    const std::span<const WornMake> makes = wornSpec(worn.kind).makes;
+    return makes.empty() ? nullptr : &makes[std::min<std::size_t>(worn.make, makes.size() - 1)];
+}
+
 /// z along the normal, y as upright as can be.
 glm::quat standing(glm::vec3 normalHd)
 {
@@ -100,18 +107,17 @@ std::shared_ptr<const sim::HeadMesh> wornMesh(const Worn& worn, const sim::Skin*
         return worn.mirrored ? worn.ownMesh.own->mirrored : worn.ownMesh.own->mesh;
     if (spec.fitted != nullptr && skin != nullptr)
         return spec.fitted(worn.shape, *skin);
-    if (!spec.makes.empty())
-        return spec.makes[std::min<std::size_t>(worn.make, spec.makes.size() - 1)].mesh();
+    if (const WornMake* make = makeOf(worn))
+        return make->mesh();
     return spec.drawn() ? spec.mesh() : nullptr;
 }
 
 std::span<const HangingPart> hangingParts(const Worn& worn)
 {
-    const WornSpec& spec = wornSpec(worn.kind);
     if (worn.ownMesh.isRead())
         return {};
-    const auto hanging =
-        spec.makes.empty() ? spec.hanging : spec.makes[std::min<std::size_t>(worn.make, spec.makes.size() - 1)].hanging;
+    const WornMake* make = makeOf(worn);
+    const auto hanging = make != nullptr ? make->hanging : wornSpec(worn.kind).hanging;
     return hanging != nullptr ? hanging() : std::span<const HangingPart>();
 }
 

@@ -5,6 +5,7 @@
 #include "sim/groom/clump_kernel.h"
 #include "sim/groom/gathered_writer.h"
 #include "sim/groom/gathering.h"
+#include "sim/groom/lane_store.h"
 #include "sim/groom/rest_shape.h"
 #include "sim/groom/strand_style.h"
 #include "sim/groom/turn_kernel.h"
@@ -125,7 +126,10 @@ public:
             turnLanes(m_turn);
             m_turn.turns.fill(0.0F);
         }
-        storeLaid();
+        storeLanes(
+            m_blocks, nodesHd, m_waiting,
+            [this](std::size_t lane) { return std::size_t{m_laid.at(lane).slot - m_firstSlot}; },
+            m_chunk.restPositions);
         m_clump.clump.fill(0.0F);
         m_lay.clear();
         m_waiting = 0;
@@ -281,13 +285,6 @@ private:
         return clump > 0.0F;
     }
 
-    /// Whether the hairs that wait are a block of the chunk, in its order: slots rise from call to call.
-    [[nodiscard]] bool fillsBlock() const
-    {
-        return m_waiting == kLanes && m_laid.front().slot % kLanes == 0 &&
-               m_laid.back().slot - m_laid.front().slot == kLanes - 1;
-    }
-
     /// Stores all of a hair but its nodes.
     void store(std::uint32_t slot, const StrandStyle& style, const RowMembership& followed)
     {
@@ -311,25 +308,6 @@ private:
     void storeBuffer(std::uint32_t slot)
     {
         m_blocks.write(m_chunk.restPositions, slot - m_firstSlot, std::span(m_buffer).first(m_nodes));
-    }
-
-    /// Stores the nodes of the hairs that wait.
-    void storeLaid()
-    {
-        const std::span<const float> nodesHd = m_lay.nodesHd();
-        if (fillsBlock())
-            std::ranges::copy(nodesHd, m_chunk.restPositions.data() + m_blocks.index(m_laid[0].slot - m_firstSlot, 0));
-        else
-            for (std::size_t i = 0; i < m_waiting; ++i)
-                storeLane(m_laid[i].slot, nodesHd.data() + i);
-    }
-
-    /// Stores the nodes of one lane of [nodes][3][kLanes].
-    void storeLane(std::uint32_t slot, const float* nodesHd)
-    {
-        float* to = m_chunk.restPositions.data() + m_blocks.index(slot - m_firstSlot, 0);
-        for (std::size_t row = 0; row < m_nodes * 3; ++row)
-            to[row * kLanes] = nodesHd[row * kLanes];
     }
 
     const ChunkInputs& m_inputs;

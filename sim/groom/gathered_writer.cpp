@@ -4,6 +4,7 @@
 #include "sim/groom/braid_path.h"
 #include "sim/groom/curve_constants.h"
 #include "sim/groom/gathering.h"
+#include "sim/groom/lane_store.h"
 
 #include <algorithm>
 #include <numbers>
@@ -122,7 +123,9 @@ void GatheredWriter::lay(Batch& batch)
             kShortestMovingTailM;
         store(batch, lane, m_clump.clump[lane], kNoCentre, isLong && hair.followed.weights[0] > 0.0F);
     }
-    storeNodes(batch);
+    storeLanes(
+        StrandBlocks(static_cast<int>(m_nodes)), m_nodesHd, batch.count,
+        [&](std::size_t lane) { return std::size_t{batch.hairs.at(lane).slot - m_firstSlot}; }, m_chunk.restPositions);
     batch.count = 0;
 }
 
@@ -181,7 +184,7 @@ void GatheredWriter::hang(Batch& batch, std::size_t lane)
         hair.style.phase += (chance.phase - hair.style.phase) * (isInStep ? 1.0F : clump);
     }
     if (isInStep || clump > kTailKeepsStep)
-        hair.own = variationOf(settings.variation, roots.seed, roots.rankOfSlot[leaderSlot]);
+        hair.own = curlVariationOf(settings.variation, roots.seed, roots.rankOfSlot[leaderSlot]);
     if (!(clump > 0.0F))
         return;
     drawToLock(lane, leader, clump, glm::length(node(lane, m_ring + 1) - node(lane, m_ring)));
@@ -235,23 +238,6 @@ void GatheredWriter::store(const Batch& batch, std::size_t lane, float clump, st
     if (m_chunk.followed.empty())
         m_chunk.followed.resize(kChunkSlots);
     m_chunk.followed[local] = isTailed ? hair.followed : Followed{};
-}
-
-void GatheredWriter::storeNodes(const Batch& batch)
-{
-    const StrandBlocks blocks(static_cast<int>(m_nodes));
-    float* const to = m_chunk.restPositions.data();
-    const std::uint32_t first = batch.hairs[0].slot;
-    // Slots rise from hair to hair.
-    if (batch.count == kLanes && first % kLanes == 0 && batch.hairs.back().slot - first == kLanes - 1) {
-        std::ranges::copy(std::span(m_nodesHd).first(blocks.blockFloats()), to + blocks.index(first - m_firstSlot, 0));
-        return;
-    }
-    for (std::size_t lane = 0; lane < batch.count; ++lane) {
-        float* const hair = to + blocks.index(batch.hairs.at(lane).slot - m_firstSlot, 0);
-        for (std::size_t row = 0; row < m_nodes * 3; ++row)
-            hair[row * kLanes] = m_nodesHd[row * kLanes + lane];
-    }
 }
 
 } // namespace hairpaint::sim

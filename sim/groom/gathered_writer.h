@@ -51,7 +51,6 @@ private:
     void drawToLock(std::size_t lane, std::uint32_t leader, float clump, float segmentM);
     /// Stores all of a hair but its nodes.
     void store(const Batch& batch, std::size_t lane, float clump, std::uint32_t centre, bool isTailed);
-    void storeNodes(const Batch& batch);
     [[nodiscard]] glm::vec3 node(std::size_t lane, std::size_t node) const
     {
         return StrandBlocks::load(m_nodesHd.data() + node * StrandBlocks::kNodeStride + lane);

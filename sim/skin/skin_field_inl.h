@@ -34,6 +34,26 @@ HWY_INLINE CellFace cellFace(const DistanceGrid::Pair* HWY_RESTRICT pairs, Ints 
     return {asFloats(low), asFloats(hn::Sub(high, low)), asFloats(lowAbove), asFloats(hn::Sub(highAbove, lowAbove))};
 }
 
+/// What lies between the eight corners of a cell, in units of the values.
+struct CellValue
+{
+    Lanes x00, x10, x01, x11; ///< On the four edges along x, by y and z.
+    Lanes low, high;          ///< On the faces of lower and higher z.
+
+    HWY_INLINE CellValue(const CellFace& front, const CellFace& back, const Lanes3& t)
+        : x00(front.low + front.rise * t.x), x10(front.lowAbove + front.riseAbove * t.x),
+          x01(back.low + back.rise * t.x), x11(back.lowAbove + back.riseAbove * t.x), low(mixed(x00, x10, t.y)),
+          high(mixed(x01, x11, t.y))
+    {}
+    [[nodiscard]] HWY_INLINE Lanes at(const Lanes3& t) const { return mixed(low, high, t.z); }
+    /// Of the same faces; units a cell.
+    [[nodiscard]] HWY_INLINE Lanes3 slope(const CellFace& front, const CellFace& back, const Lanes3& t) const
+    {
+        return {mixed(mixed(front.rise, front.riseAbove, t.y), mixed(back.rise, back.riseAbove, t.y), t.z),
+                mixed(x10 - x00, x11 - x01, t.z), high - low};
+    }
+};
+
 /// Signed distance and its direction of steepest rise, as DistanceGrid::Sample.
 struct FieldSample
 {
@@ -59,17 +79,10 @@ HWY_INLINE FieldSample sampleField(const SkinField& skin, const Lanes3& p)
     const CellFace front = cellFace(skin.pairs, first);
     const CellFace back = cellFace(skin.pairs + skin.slice, first);
     const Lanes3 t = cell - Lanes3{asFloats(x), asFloats(y), asFloats(z)};
-    const Lanes x00 = front.low + front.rise * t.x;
-    const Lanes x10 = front.lowAbove + front.riseAbove * t.x;
-    const Lanes x01 = back.low + back.rise * t.x;
-    const Lanes x11 = back.lowAbove + back.riseAbove * t.x;
-    const Lanes low = mixed(x00, x10, t.y);
-    const Lanes high = mixed(x01, x11, t.y);
-    const Lanes3 slope{mixed(mixed(front.rise, front.riseAbove, t.y), mixed(back.rise, back.riseAbove, t.y), t.z),
-                       mixed(x10 - x00, x11 - x01, t.z), high - low};
+    const CellValue value(front, back, t);
     return {.inGrid = inGrid,
-            .distanceM = mixed(low, high, t.z) * DistanceGrid::kUnitM,
-            .gradient = slope * (DistanceGrid::kUnitM / skin.cellM)};
+            .distanceM = value.at(t) * DistanceGrid::kUnitM,
+            .gradient = value.slope(front, back, t) * (DistanceGrid::kUnitM / skin.cellM)};
 }
 
 } // namespace hairpaint::sim::HWY_NAMESPACE

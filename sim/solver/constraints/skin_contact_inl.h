@@ -39,20 +39,13 @@ HWY_INLINE bool pushOutOfSkin(const SkinField& skin, Lanes clearance, Lanes furt
 
     const CellFace back = cellFace(skin.pairs + skin.slice, first);
     const Lanes3 t = cell - Lanes3{asFloats(x), asFloats(y), asFloats(z)};
-    const Lanes x00 = front.low + front.rise * t.x;
-    const Lanes x10 = front.lowAbove + front.riseAbove * t.x;
-    const Lanes x01 = back.low + back.rise * t.x;
-    const Lanes x11 = back.lowAbove + back.riseAbove * t.x;
-    const Lanes low = mixed(x00, x10, t.y);
-    const Lanes high = mixed(x01, x11, t.y);
-    const Lanes depth = clear - mixed(low, high, t.z);
+    const CellValue value(front, back, t);
+    const Lanes depth = clear - value.at(t);
     const Yes inside = inGrid & (depth > 0.0F);
     if (!any(inside))
         return false;
     // Units a cell; where the distance does not change, in the middle of a thin sheet, p stays.
-    const Lanes3 slope{mixed(mixed(front.rise, front.riseAbove, t.y), mixed(back.rise, back.riseAbove, t.y), t.z),
-                       mixed(x10 - x00, x11 - x01, t.z), high - low};
-    const Lanes3 g = slope * (1.0F / skin.unitsACell);
+    const Lanes3 g = value.slope(front, back, t) * (1.0F / skin.unitsACell);
     const Lanes g2 = most(dot(g, g), 0.04F);
     const Lanes leave = least(depth, furthest * toUnits);
     const Lanes inverse = Lanes(1.0F) / g2;
