@@ -2,6 +2,7 @@
 #include "model/cards/hair_field.h"
 
 #include "sim/base/parallel.h"
+#include "sim/base/rounded.h"
 #include "sim/skin/solid_grid.h"
 
 #include <algorithm>
@@ -20,12 +21,6 @@ constexpr float kSolidPerM = 1e4F;
 /// Hair lets light through and scatters it: so much of its area counts.
 constexpr float kShading = 0.15F;
 constexpr float kFillingM = 0.01F; ///< Depth at which so dense hair hides what is behind.
-
-/// Rounded from a double, where the libraries of all systems agree.
-float exponential(float x)
-{
-    return static_cast<float>(std::exp(static_cast<double>(x)));
-}
 
 } // namespace
 
@@ -62,7 +57,7 @@ void HairField::deposit(const SampledHair& hair)
     }
     m_filled.resize(m_areaPerM.size());
     std::ranges::transform(m_areaPerM, m_filled.begin(),
-                           [](float area) { return 1.0F - exponential(-area * kFillingM); });
+                           [](float area) { return 1.0F - sim::expRounded(-area * kFillingM); });
 }
 
 void HairField::fillHead(const CurveSet& set)
@@ -98,7 +93,7 @@ void HairField::measureOpenness()
     std::vector<float> half(m_areaPerM.size());
     sim::parallelFor(half.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            half[i] = exponential(-0.5F * kShading * m_areaPerM[i] * m_cellM);
+            half[i] = sim::expRounded(-0.5F * kShading * m_areaPerM[i] * m_cellM);
     });
     m_openness.assign(m_areaPerM.size(), 0.0F);
     for (int axis = 0; axis < 3; ++axis) {

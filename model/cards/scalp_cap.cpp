@@ -1,6 +1,7 @@
 // The head's own mesh made coarser, put back onto its skin.
 #include "model/cards/scalp_cap.h"
 
+#include "sim/base/rounded.h"
 #include "sim/groom/roots.h"
 #include "sim/skin/skin.h"
 #include "sim/skin/vertex_clusters.h"
@@ -78,9 +79,7 @@ glm::vec2 ScalpCap::flat(const glm::vec3& positionWo) const
     const glm::vec3 away = positionWo - middleWo;
     const glm::vec2 around(glm::dot(away, right), -glm::dot(away, up));
     const float aside = glm::length(around);
-    // Rounded from a double, where the libraries of all systems agree.
-    const auto angle =
-        static_cast<float>(std::atan2(static_cast<double>(aside), static_cast<double>(glm::dot(away, axisWo))));
+    const float angle = sim::atan2Rounded(aside, glm::dot(away, axisWo));
     return aside > 0.0F ? around / aside * (angle * radiusM) : glm::vec2(0.0F);
 }
 

@@ -5,6 +5,7 @@
 #include "model/project/group_schema.h"
 #include "model/values/texel_math.h"
 #include "sim/base/parallel.h"
+#include "sim/base/rounded.h"
 
 #include <algorithm>
 #include <array>
@@ -72,12 +73,13 @@ float HandleRegions::faded(glm::vec3 rootHd) const
 
 float HandleRegions::angle(glm::vec3 rootHd) const
 {
-    return std::atan2(std::abs(rootHd.x - m_axisHd.x), rootHd.z - m_axisHd.z);
+    return sim::atan2Rounded(std::abs(rootHd.x - m_axisHd.x), rootHd.z - m_axisHd.z);
 }
 
 sim::RayHd HandleRegions::rayAt(float angle, float heightM) const
 {
-    return {.originHd = {m_axisHd.x, heightM, m_axisHd.z}, .directionHd = {std::sin(angle), 0.0F, std::cos(angle)}};
+    return {.originHd = {m_axisHd.x, heightM, m_axisHd.z},
+            .directionHd = {sim::sinRounded(angle), 0.0F, sim::cosRounded(angle)}};
 }
 
 std::vector<sim::SurfacePoint> HandleRegions::partLine(const sim::Skin& skin, float side) const

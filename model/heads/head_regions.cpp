@@ -1,6 +1,8 @@
 // Regions as closed curves on a sphere around the head's middle.
 #include "model/heads/head_regions.h"
 
+#include "sim/base/rounded.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,11 +36,11 @@ HeadRegions::HeadRegions(const RegionMarks& marks)
 float HeadRegions::outsideEar(const glm::vec3& p) const
 {
     const glm::vec3 q = glm::vec3(std::abs(p.x), p.y, p.z) - m_earCentre;
-    const float tiltCos = std::cos(glm::radians(m_earTiltDegrees));
-    const float tiltSin = std::sin(glm::radians(m_earTiltDegrees));
+    const float tiltCos = sim::cosRounded(glm::radians(m_earTiltDegrees));
+    const float tiltSin = sim::sinRounded(glm::radians(m_earTiltDegrees));
     const glm::vec2 tilted(tiltCos * q.y + tiltSin * q.z, -tiltSin * q.y + tiltCos * q.z);
-    const float flareCos = std::cos(glm::radians(m_earFlareDegrees));
-    const float flareSin = std::sin(glm::radians(m_earFlareDegrees));
+    const float flareCos = sim::cosRounded(glm::radians(m_earFlareDegrees));
+    const float flareSin = sim::sinRounded(glm::radians(m_earFlareDegrees));
     const glm::vec3 e(flareSin * q.x - flareCos * tilted.y, tilted.x, flareCos * q.x + flareSin * tilted.y);
     return outsideEllipsoid(e - glm::vec3(0.0F, 0.0005F, 0.0015F), {0.0230F, 0.0350F, 0.0100F});
 }

@@ -1,6 +1,8 @@
 // Drawing, and distances from, curves on the skin.
 #include "model/heads/skin_curve.h"
 
+#include "sim/base/rounded.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -57,7 +59,7 @@ float SkinCurve::distance(const glm::vec3& p, float* along) const
                 *along = (static_cast<float>(i) + t) / static_cast<float>(m_directions.size() - 1);
         }
     }
-    return radius * 2.0F * std::asin(0.5F * std::sqrt(nearest));
+    return radius * 2.0F * sim::asinRounded(0.5F * std::sqrt(nearest));
 }
 
 float SkinCurve::signedDistance(const glm::vec3& p) const
@@ -79,7 +81,7 @@ glm::vec2 SkinCurve::flat(const glm::vec3& direction) const
 {
     const glm::vec2 sideways(direction.x, glm::dot(direction, m_across));
     const float sine = glm::length(sideways);
-    return sideways * (std::atan2(sine, glm::dot(direction, m_axis)) / std::max(sine, 1.0e-12F));
+    return sideways * (sim::atan2Rounded(sine, glm::dot(direction, m_axis)) / std::max(sine, 1.0e-12F));
 }
 
 void SkinCurve::add(const glm::vec3& mark)

@@ -2,6 +2,7 @@
 // the skeleton changes along it tells the kind of braid, and how far off the strands are its radius.
 #include "model/importing/braid_bundle.h"
 
+#include "sim/base/rounded.h"
 #include "sim/groom/strand_curve.h"
 
 #include <glm/gtc/constants.hpp>
@@ -238,7 +239,7 @@ private:
                 if (glm::length(at) < 0.3F * distanceM)
                     continue;
                 if (last != glm::vec2(0.0F)) {
-                    const float angle = std::atan2(last.x * at.y - last.y * at.x, glm::dot(last, at));
+                    const float angle = sim::atan2Rounded(last.x * at.y - last.y * at.x, glm::dot(last, at));
                     any += std::abs(angle);
                     round += angle;
                 }
@@ -259,7 +260,7 @@ private:
         std::size_t most = 0;
         for (int direction = 0; direction < kDirections; ++direction) {
             const float angle = glm::pi<float>() * static_cast<float>(direction) / kDirections;
-            const glm::vec2 axis(std::cos(angle), std::sin(angle));
+            const glm::vec2 axis(sim::cosRounded(angle), sim::sinRounded(angle));
             std::size_t count = 0;
             for (std::size_t i = 0; i < m_count; ++i) {
                 float side = 0.0F;

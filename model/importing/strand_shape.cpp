@@ -3,6 +3,7 @@
 #include "model/importing/strand_shape.h"
 
 #include "model/values/polyline.h"
+#include "sim/base/rounded.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -38,7 +39,7 @@ float turning(std::span<const glm::vec3> points)
             continue;
         const glm::vec3 direction = step / length;
         if (last != glm::vec3(0.0F))
-            sum += std::acos(std::clamp(glm::dot(direction, last), -1.0F, 1.0F));
+            sum += sim::acosRounded(std::clamp(glm::dot(direction, last), -1.0F, 1.0F));
         last = direction;
     }
     return sum;
@@ -135,7 +136,8 @@ Coiling coilingOf(std::span<const glm::vec3> points, float windowM, StrandScratc
             const glm::vec3 carried =
                 lastAside - bisector * (2.0F * glm::dot(bisector, lastAside) / glm::dot(bisector, bisector));
             const glm::vec3 turned = carried - direction * (2.0F * glm::dot(direction, carried));
-            const float angle = std::atan2(glm::dot(glm::cross(turned, aside), direction), glm::dot(turned, aside));
+            const float angle =
+                sim::atan2Rounded(glm::dot(glm::cross(turned, aside), direction), glm::dot(turned, aside));
             round += angle;
             anyRound += std::abs(angle);
         }

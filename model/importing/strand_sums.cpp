@@ -2,11 +2,11 @@
 #include "model/importing/strand_sums.h"
 
 #include "model/importing/strand_spacing.h"
+#include "sim/base/rounded.h"
 #include "sim/groom/direction_texel.h"
 #include "sim/groom/strand_style.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 namespace hairpaint::model {
@@ -51,7 +51,7 @@ public:
             const glm::vec3 aside = m_texels.positionsHd[index] - here.positionHd;
             const float square = glm::dot(aside, aside);
             if (square < furthest2 && glm::dot(m_texels.frame[index].normal, here.normalHd) > kSameSide)
-                m_found.push_back({index, std::exp(-0.5F * square / (reachM * reachM))});
+                m_found.push_back({index, sim::expRounded(-0.5F * square / (reachM * reachM))});
             return true;
         });
         return m_found;

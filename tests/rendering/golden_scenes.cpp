@@ -1,6 +1,7 @@
 // A head, and hair of every kind on it.
 #include "tests/rendering/golden_scenes.h"
 
+#include "sim/base/rounded.h"
 #include "tests/rendering/hand_made_hair.h"
 #include "view/rendering/card_set.h"
 
@@ -81,7 +82,7 @@ Scene plaits()
         strand.style.wisp = static_cast<std::uint8_t>(i / 3 % (i % 3 == 1 ? 2 : 3));
         strand.style.braidRadiusM = 0.012F;
         strand.style.braidTurns = 4.0F;
-        strand.style.wispOffset = {radius * std::cos(turn), radius * std::sin(turn)};
+        strand.style.wispOffset = {radius * sim::cosRounded(turn), radius * sim::sinRounded(turn)};
         strand.style.width = 6.0F;
         strands.push_back(strand);
     }
@@ -103,12 +104,12 @@ Scene cards()
     auto set = std::make_shared<rendering::CardSet>();
     for (int strip = 0; strip < kStrips; ++strip) {
         const float around = 6.2831853F * static_cast<float>(strip) / kStrips;
-        const glm::vec3 side = glm::vec3(std::cos(around), 0.0F, -std::sin(around));
-        const glm::vec3 out = glm::vec3(std::sin(around), 0.0F, std::cos(around));
+        const glm::vec3 side = glm::vec3(sim::cosRounded(around), 0.0F, -sim::sinRounded(around));
+        const glm::vec3 out = glm::vec3(sim::sinRounded(around), 0.0F, sim::cosRounded(around));
         for (int i = 0; i <= kSegments; ++i) {
             const float part = static_cast<float>(i) / kSegments;
             const float down = 1.9F * part;
-            const glm::vec3 normal = std::sin(down) * out + glm::vec3(0.0F, std::cos(down), 0.0F);
+            const glm::vec3 normal = sim::sinRounded(down) * out + glm::vec3(0.0F, sim::cosRounded(down), 0.0F);
             const glm::vec3 middle = 1.2F * kBall * normal;
             for (const float right : {-1.0F, 1.0F})
                 set->corners.push_back({.positionHd = middle + right * 0.012F * side,

@@ -2,6 +2,7 @@
 #include "tests/rendering/hand_made_hair.h"
 
 #include "sim/base/deterministic.h"
+#include "sim/base/rounded.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +81,8 @@ std::shared_ptr<const sim::HeadMesh> makeBall(glm::vec3 semiAxesM, int rings)
             const float v = static_cast<float>(ring) / static_cast<float>(rings);
             const float theta = v * std::numbers::pi_v<float>;
             const float phi = u * 2.0F * std::numbers::pi_v<float>;
-            const glm::vec3 unit(std::sin(theta) * std::sin(phi), -std::cos(theta), std::sin(theta) * std::cos(phi));
+            const glm::vec3 unit(sim::sinRounded(theta) * sim::sinRounded(phi), -sim::cosRounded(theta),
+                                 sim::sinRounded(theta) * sim::cosRounded(phi));
             mesh->positionsHd.push_back(unit * semiAxesM);
             mesh->normalsHd.push_back(glm::normalize(unit / semiAxesM));
             mesh->uvs.emplace_back(u, v);
@@ -105,7 +107,7 @@ std::vector<HandMadeStrand> hairOnBall(glm::vec3 semiAxesM, const BallHair& hair
         const float y = 1.0F - 1.05F * (static_cast<float>(i) + 0.5F) / static_cast<float>(hair.hairs);
         const float phi = static_cast<float>(i) * 2.399963F;
         const float r = std::sqrt(1.0F - y * y);
-        const glm::vec3 unit(r * std::sin(phi), y, r * std::cos(phi));
+        const glm::vec3 unit(r * sim::sinRounded(phi), y, r * sim::cosRounded(phi));
         const glm::vec3 normal = glm::normalize(unit / semiAxesM);
         HandMadeStrand strand;
         strand.tangentHd = glm::normalize(glm::cross(glm::vec3(0.1F, 1.0F, 0.03F), normal));

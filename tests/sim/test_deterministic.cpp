@@ -1,14 +1,18 @@
 // The hashes are fixed for ever, and the transcendentals are as close to the library's as promised.
 #include "sim/base/deterministic.h"
+
+#include "sim/base/rounded.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 using namespace hairpaint::sim;
+using Function = float (*)(float);
 
 class TestDeterministic : public QObject
 {
@@ -21,6 +25,8 @@ private Q_SLOTS:
     void sineAndCosineAreWithinTwoMillionths();
     void exponentialIsWithinAMillionth();
     void absurdAnglesGiveNumbers();
+    void roundedFunctionsGiveTheseBits_data();
+    void roundedFunctionsGiveTheseBits();
 };
 
 void TestDeterministic::hashesAreWrittenInStone_data()
@@ -89,6 +95,31 @@ void TestDeterministic::absurdAnglesGiveNumbers()
         QCOMPARE(sinDet(x), 0.0F);
         QCOMPARE(cosDet(x), 1.0F);
     }
+}
+
+void TestDeterministic::roundedFunctionsGiveTheseBits_data()
+{
+    QTest::addColumn<Function>("function");
+    QTest::addColumn<quint64>("hash");
+    // Of a thousand arguments in 0..1, on every system.
+    QTest::newRow("sine") << Function{[](float x) { return sinRounded(x); }} << quint64{3625038442789257585U};
+    QTest::newRow("cosine") << Function{[](float x) { return cosRounded(x); }} << quint64{15402592790652033664U};
+    QTest::newRow("arcsine") << Function{[](float x) { return asinRounded(x); }} << quint64{15062519861460614037U};
+    QTest::newRow("arccosine") << Function{[](float x) { return acosRounded(x); }} << quint64{8916772571769135197U};
+    QTest::newRow("angle") << Function{[](float x) { return atan2Rounded(x, 1.0F - x); }} << quint64{7475097300408848899U};
+    QTest::newRow("exponential") << Function{[](float x) { return expRounded(-x); }} << quint64{865068177515859875U};
+    QTest::newRow("power") << Function{[](float x) { return powRounded(x, 2.4F); }} << quint64{5144156514688813463U};
+    QTest::newRow("hypotenuse") << Function{[](float x) { return hypotRounded(x, 0.3F); }} << quint64{721274037120757846U};
+}
+
+void TestDeterministic::roundedFunctionsGiveTheseBits()
+{
+    QFETCH(Function, function);
+    QFETCH(quint64, hash);
+    std::uint64_t all = 0;
+    for (int i = 0; i <= 1000; ++i)
+        all = hash64(all, std::bit_cast<std::uint32_t>(function(static_cast<float>(i) / 1000.0F)));
+    QCOMPARE(static_cast<quint64>(all), hash);
 }
 
 HAIRPAINT_TEST(TestDeterministic, None)

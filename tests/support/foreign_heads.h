@@ -1,6 +1,7 @@
 // Heads of other shapes and layouts, of which it is known where each point of the built-in one lies.
 #pragma once
 
+#include "sim/base/rounded.h"
 #include "sim/skin/head_mesh.h"
 
 #include <cmath>
@@ -74,10 +75,10 @@ inline ForeignHead scanOf(const sim::HeadMesh& known)
     ForeignHead head = bent(known, [](const glm::vec3& p) {
         const float wider = 1.06F + 0.05F * std::tanh(p.y / 0.06F);
         const glm::vec3 own(wider * p.x, 0.97F * p.y, 1.04F * p.z + 0.06F * p.y * p.y / 0.1F);
-        const float cosine = std::cos(0.2F);
-        const float sine = std::sin(0.2F);
-        const glm::vec3 rough =
-            0.0004F * glm::vec3(std::sin(1900.0F * p.y), std::sin(2300.0F * p.z), std::sin(2100.0F * p.x));
+        const float cosine = sim::cosRounded(0.2F);
+        const float sine = sim::sinRounded(0.2F);
+        const glm::vec3 rough = 0.0004F * glm::vec3(sim::sinRounded(1900.0F * p.y), sim::sinRounded(2300.0F * p.z),
+                                                    sim::sinRounded(2100.0F * p.x));
         return glm::vec3(cosine * own.x + sine * own.z, own.y, -sine * own.x + cosine * own.z) + rough +
                glm::vec3(0.03F, 1.52F, -0.02F);
     });

@@ -1,6 +1,7 @@
 // Hair of another program over a ball, as the import dialog shows it.
 #pragma once
 
+#include "sim/base/rounded.h"
 #include "tests/support/test_heads.h"
 #include "view/dialogs/hair_import_dialog.h"
 
@@ -19,7 +20,7 @@ inline model::ForeignCurves strandsInCentimetres()
         const float turn = static_cast<float>(i) * 2.4F;
         const float height = 0.3F + 0.05F * static_cast<float>(i);
         const float across = std::sqrt(1.0F - height * height);
-        const glm::vec3 outward(across * std::cos(turn), across * std::sin(turn), height);
+        const glm::vec3 outward(across * sim::cosRounded(turn), across * sim::sinRounded(turn), height);
         for (const float radius : {10.0F, 11.2F, 12.5F})
             strands.points.push_back(outward * radius);
         strands.ends.push_back(static_cast<std::uint32_t>(strands.points.size()));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/heads/rigged_mesh.h"
+#include "sim/base/rounded.h"
 #include "tests/support/test_heads.h"
 
 #include <algorithm>
@@ -78,8 +79,8 @@ inline model::RiggedMesh makeMannequin(float droop = 0.0F, int headSegments = 24
         glm::vec3 position = joint.position;
         const float outward = std::abs(position.x) - 0.18F;
         if (outward > 0.0F) {
-            position.x = std::copysign(0.18F + outward * std::cos(droop), position.x);
-            position.y -= outward * std::sin(droop);
+            position.x = std::copysign(0.18F + outward * sim::cosRounded(droop), position.x);
+            position.y -= outward * sim::sinRounded(droop);
         }
         poses.push_back({.position = position});
         body.skeleton.joints.push_back({.name = joint.name, .parent = joint.parent});

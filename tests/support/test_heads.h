@@ -1,6 +1,7 @@
 // Small generated heads for tests.
 #pragma once
 
+#include "sim/base/rounded.h"
 #include "sim/skin/head_mesh.h"
 
 #include <cmath>
@@ -39,8 +40,8 @@ inline sim::HeadMesh makeBallHead(int segments = 48, float radiusM = 0.1F)
         for (int column = 0; column <= segments; ++column) {
             const float u = static_cast<float>(column) / static_cast<float>(segments);
             const float longitude = (u - 0.5F) * 2.0F * kPi;
-            const glm::vec3 normal(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
-                                   std::cos(latitude) * std::cos(longitude));
+            const glm::vec3 normal(sim::cosRounded(latitude) * sim::sinRounded(longitude), sim::sinRounded(latitude),
+                                   sim::cosRounded(latitude) * sim::cosRounded(longitude));
             mesh.positionsHd.push_back(normal * radiusM);
             mesh.normalsHd.push_back(normal);
             mesh.uvs.emplace_back(u, v);

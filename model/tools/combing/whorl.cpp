@@ -1,8 +1,9 @@
 // A spiral that opens.
 #include "model/tools/combing/whorl.h"
 
+#include "sim/base/rounded.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace hairpaint::model {
 
@@ -25,7 +26,8 @@ glm::vec3 Whorl::directionHd(glm::vec2 offsetUv) const
     const glm::vec3 outward = inPlane / distanceM;
     const glm::vec3 clockwiseHd = glm::cross(outward, centre.normalHd);
     const float rise = fraction * fraction * (3.0F - 2.0F * fraction);
-    return (outward * std::cos(angle) + (clockwise ? clockwiseHd : -clockwiseHd) * std::sin(angle)) * (flatness * rise);
+    return (outward * sim::cosRounded(angle) + (clockwise ? clockwiseHd : -clockwiseHd) * sim::sinRounded(angle)) *
+           (flatness * rise);
 }
 
 } // namespace hairpaint::model

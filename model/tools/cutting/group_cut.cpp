@@ -2,10 +2,10 @@
 #include "model/tools/cutting/group_cut.h"
 
 #include "sim/base/parallel.h"
+#include "sim/base/rounded.h"
 #include "sim/groom/strand_curve.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace hairpaint::model {
@@ -29,7 +29,7 @@ float GradedLengths::lengthM(glm::vec3 rootHd) const
     const float part = std::clamp((down - from) / std::max(to - from, kLeastSpan), 0.0F, 1.0F);
     if (!fades || part <= 0.0F || part >= 1.0F)
         return glm::mix(topM, bottomM, part);
-    return (topM + kStubbleM) * std::pow((bottomM + kStubbleM) / (topM + kStubbleM), part) - kStubbleM;
+    return (topM + kStubbleM) * sim::powRounded((bottomM + kStubbleM) / (topM + kStubbleM), part) - kStubbleM;
 }
 
 GroupCut::GroupCut(ToolContext& context, std::shared_ptr<const sim::StrandFrame> frame, const QString& text)

@@ -1,7 +1,7 @@
 // Eight neighbours around a point, and itself.
 #include "model/tools/lying/evened_hair.h"
 
-#include <cmath>
+#include "sim/base/rounded.h"
 
 namespace hairpaint::model {
 
@@ -14,7 +14,7 @@ glm::vec2 neighbour(glm::vec2 uv, glm::vec2 reachUv, int index)
 {
     constexpr float kTurn = 6.2831853F / kNeighbours;
     const float angle = kTurn * static_cast<float>(index);
-    return uv + reachUv * glm::vec2(std::cos(angle), std::sin(angle));
+    return uv + reachUv * glm::vec2(sim::cosRounded(angle), sim::sinRounded(angle));
 }
 
 } // namespace

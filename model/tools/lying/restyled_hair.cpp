@@ -2,9 +2,9 @@
 #include "model/tools/lying/restyled_hair.h"
 
 #include "model/tools/lying/evened_hair.h"
+#include "sim/base/rounded.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace hairpaint::model {
 
@@ -26,8 +26,8 @@ float noiseAt(int x, int y, std::uint32_t salt)
 
 glm::vec2 turnedBy(glm::vec2 v, float angleRad)
 {
-    const float c = std::cos(angleRad);
-    const float s = std::sin(angleRad);
+    const float c = sim::cosRounded(angleRad);
+    const float s = sim::sinRounded(angleRad);
     return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 

@@ -7,6 +7,7 @@
 #include "model/tools/tool_list.h"
 #include "model/values/texel_math.h"
 #include "sim/base/parallel.h"
+#include "sim/base/rounded.h"
 
 #include <algorithm>
 #include <array>
@@ -116,8 +117,8 @@ private:
     static glm::vec2 constrained(glm::vec2 displacement)
     {
         constexpr float kStep = 0.785398163F;
-        const float angle = std::round(std::atan2(displacement.y, displacement.x) / kStep) * kStep;
-        const glm::vec2 direction(std::cos(angle), std::sin(angle));
+        const float angle = std::round(sim::atan2Rounded(displacement.y, displacement.x) / kStep) * kStep;
+        const glm::vec2 direction(sim::cosRounded(angle), sim::sinRounded(angle));
         return direction * glm::dot(displacement, direction);
     }
 

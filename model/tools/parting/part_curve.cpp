@@ -1,6 +1,8 @@
 // Hermite pieces brought to the skin.
 #include "model/tools/parting/part_curve.h"
 
+#include "sim/base/rounded.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -78,8 +80,8 @@ PartCurve::PartCurve(const sim::Skin& skin, std::span<const sim::SurfacePoint> p
         const glm::vec3 chord = to.point.positionHd - from.point.positionHd;
         const float chordM = glm::length(chord);
         // As long as a circle's arc that turns as much between both ends.
-        const float half = 0.5F * std::acos(std::clamp(glm::dot(from.directionHd, to.directionHd), -1.0F, 1.0F));
-        const float arcM = chordM * (half > 0.01F ? half / std::sin(half) : 1.0F);
+        const float half = 0.5F * sim::acosRounded(std::clamp(glm::dot(from.directionHd, to.directionHd), -1.0F, 1.0F));
+        const float arcM = chordM * (half > 0.01F ? half / sim::sinRounded(half) : 1.0F);
         const int steps = std::clamp(static_cast<int>(std::ceil(arcM / kSampleStepM)), 1, kMostSteps);
         add(from.point, from.index);
         for (int k = 1; k < steps; ++k) {
@@ -164,10 +166,11 @@ Zigzag::Offset Zigzag::at(float alongM) const
 {
     if (m_amplitudeM <= 0.0F)
         return {};
-    const float scale = m_amplitudeM / std::asin(kZigzagSharpness);
-    const float sine = kZigzagSharpness * std::sin(m_perM * alongM);
-    const float cosine = kZigzagSharpness * std::cos(m_perM * alongM);
-    return {.lateralM = scale * std::asin(sine), .slope = scale * m_perM * cosine / std::sqrt(1.0F - sine * sine)};
+    const float scale = m_amplitudeM / sim::asinRounded(kZigzagSharpness);
+    const float sine = kZigzagSharpness * sim::sinRounded(m_perM * alongM);
+    const float cosine = kZigzagSharpness * sim::cosRounded(m_perM * alongM);
+    return {.lateralM = scale * sim::asinRounded(sine),
+            .slope = scale * m_perM * cosine / std::sqrt(1.0F - sine * sine)};
 }
 
 } // namespace hairpaint::model

@@ -3,6 +3,7 @@
 
 #include "model/values/texel_math.h"
 #include "sim/base/parallel.h"
+#include "sim/base/rounded.h"
 #include "sim/groom/direction_texel.h"
 
 #include <algorithm>
@@ -103,7 +104,7 @@ void PartField::fill(Tile& tile, int index, SkinFrames& frames) const
             if (const std::optional<FramedPoint>& skin = frames.point(left + x * kStride, top + y * kStride)) {
                 *sample = sampleOf(*skin);
                 if (*sample)
-                    tile.nearestM = std::min(tile.nearestM, std::hypot((*sample)->lateralM, (*sample)->beyondM));
+                    tile.nearestM = std::min(tile.nearestM, sim::hypotRounded((*sample)->lateralM, (*sample)->beyondM));
             }
 }
 
@@ -351,7 +352,8 @@ StrokeBuffer::MaskTile PartField::gap(int tileIndex, int size) const
         const float alongM = sample.alongM - m_look.leadInM;
         const float beyondM = std::max(sample.beyondM, std::max(-alongM, alongM - partedM()));
         const float sideM = (sample.lateralM - zigzag.lateralM) / std::sqrt(1.0F + zigzag.slope * zigzag.slope);
-        mask.at(texel) = unit16(1.0F - eased(halfM - softM, halfM + softM, std::hypot(sideM, std::max(beyondM, 0.0F))));
+        mask.at(texel) =
+            unit16(1.0F - eased(halfM - softM, halfM + softM, sim::hypotRounded(sideM, std::max(beyondM, 0.0F))));
     });
     return mask;
 }

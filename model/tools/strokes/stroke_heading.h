@@ -1,10 +1,11 @@
 // Where a stroke goes, smoothed.
 #pragma once
 
+#include "sim/base/rounded.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace hairpaint::model {
@@ -24,7 +25,7 @@ public:
         const float smoothingM = std::max(kSmoothing * sizeM, kLeastSmoothingM);
         const glm::vec3 now = motionHd / moved;
         const glm::vec3 direction =
-            m_unitHd ? *m_unitHd + (now - *m_unitHd) * (1.0F - std::exp(-moved / smoothingM)) : now;
+            m_unitHd ? *m_unitHd + (now - *m_unitHd) * (1.0F - sim::expRounded(-moved / smoothingM)) : now;
         const float length = glm::length(direction);
         m_unitHd = length > 0.1F ? direction / length : now; // Turned right back: none in between.
         return true;

@@ -1,6 +1,8 @@
 // Rasters and lights the head.
 #include "view/rendering/software/head_kernel.h"
 
+#include "sim/base/rounded.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "view/rendering/software/head_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -45,7 +47,7 @@ HWY_INLINE Side sideOf(const HeadVertex& from, const HeadVertex& to, float turn,
 float linearOf(std::uint8_t encoded)
 {
     const float x = static_cast<float>(encoded) / 255.0F;
-    return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
+    return x <= 0.04045F ? x / 12.92F : sim::powRounded((x + 0.055F) / 1.055F, 2.4F);
 }
 
 const std::array<float, 256>& linearTable()
