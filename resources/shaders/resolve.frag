@@ -8,8 +8,15 @@ uniform float opaque;  // As strand_tile.comp has it.
 in vec3 backgroundSrgb;
 layout(location = 0) out vec4 srgb;
 
+// What is left of each colour in a shade: light spreads under the skin into it, red furthest.
+vec3 colouredShade(float shade)
+{
+    float spread = skin[0].w;
+    return shade + spread * vec3(0.35 * (sqrt(shade) - shade), 0.0, -0.2 * shade * (1.0 - shade));
+}
+
 // One sample's light; w: what is not the background's.
-vec4 lightOf(ivec2 at, float shade)
+vec4 lightOf(ivec2 at, vec3 shade)
 {
     vec4 seen = vec4(0.0, 0.0, 0.0, 1.0); // w: what is left to see through.
     if (shadeCell > 0) {
@@ -26,9 +33,9 @@ vec4 lightOf(ivec2 at, float shade)
 void main()
 {
     ivec2 corner = ivec2(gl_FragCoord.xy) * ivec2(SAMPLES_X, SAMPLES_Y);
-    float shade = 1.0;
+    vec3 shade = vec3(1.0);
     if (shadeCell > 0)
-        shade = texture(skinShade, gl_FragCoord.xy / vec2(textureSize(skinShade, 0) * shadeCell)).x;
+        shade = colouredShade(texture(skinShade, gl_FragCoord.xy / vec2(textureSize(skinShade, 0) * shadeCell)).x);
     vec4 light = vec4(0.0);
     for (int y = 0; y < SAMPLES_Y; ++y)
         for (int x = 0; x < SAMPLES_X; ++x)

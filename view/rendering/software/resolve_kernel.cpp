@@ -145,16 +145,17 @@ HWY_INLINE void addSamples(const TileTask& task, const ResolveTask& resolve, con
             };
             const Lanes cover = unitOf(parts[3]);
             if (any(cover > Lanes(0.0F))) {
-                Lanes seen = left * cover;
-                if (resolve.shade != nullptr)
-                    seen = seen * cells.shade.at(resolve, pixel);
-                const auto lit = [&](hn::Vec<decltype(du)> part) {
+                const Lanes shade = resolve.shade != nullptr ? cells.shade.at(resolve, pixel) : Lanes(1.0F);
+                const Lanes spread(resolve.shadeSpread);
+                const Lanes redder = spread * Lanes(0.35F) * (root(shade) - shade);
+                const Lanes lessBlue = spread * Lanes(0.2F) * shade * (Lanes(1.0F) - shade);
+                const auto lit = [&](hn::Vec<decltype(du)> part, Lanes shaded) {
                     const Lanes skin = unitOf(part);
-                    return skin * skin * seen;
+                    return skin * skin * (left * cover * shaded);
                 };
-                red = red + lit(parts[0]);
-                green = green + lit(parts[1]);
-                blue = blue + lit(parts[2]);
+                red = red + lit(parts[0], shade + redder);
+                green = green + lit(parts[1], shade);
+                blue = blue + lit(parts[2], shade - lessBlue);
                 left = left * (Lanes(1.0F) - cover);
             }
         }

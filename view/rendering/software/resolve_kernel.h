@@ -26,7 +26,8 @@ struct ResolveTask
     const float* hidden = nullptr;  ///< Likewise: how surely nothing is seen through hair.
     int shadeAcross = 0;
     int shadeUp = 0;
-    int shadeCell = 1; ///< Pixels.
+    int shadeCell = 1;        ///< Pixels.
+    float shadeSpread = 0.0F; ///< SkinShading::scatter: light spreads under the skin into the shade, red furthest.
 };
 /// Writes RGBA8 into `pixels`, the picture's, whose row 0 is on top; where transparent, colours are not times alpha.
 void resolveTile(const TileTask& task, const ResolveTask& resolve, const TileSamples& samples, std::uint8_t* pixels);

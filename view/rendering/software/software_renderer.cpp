@@ -202,7 +202,8 @@ void SoftwareRenderer::State::drawTile(std::size_t tile)
                               .hidden = shadeSize.x > 0 ? hiddenBehind.data() : nullptr,
                               .shadeAcross = shadeSize.x,
                               .shadeUp = shadeSize.y,
-                              .shadeCell = shadeCell};
+                              .shadeCell = shadeCell,
+                              .shadeSpread = picture.constants.skin[0].w};
     resolveTile(task, resolve, samples, drawn.data());
 }
 
