@@ -1,6 +1,7 @@
 // Takes strands from their frame, sixteen at a time, through curve, light and tiles.
 #include "view/rendering/software/hair_segments.h"
 
+#include "sim/base/per_thread.h"
 #include "view/rendering/drawn_fraction.h"
 #include "view/rendering/frame_lights.h"
 #include "view/rendering/software/strand_kernel.h"
@@ -31,8 +32,8 @@ struct BlockScratch
 
 BlockScratch& blockScratch()
 {
-    thread_local BlockScratch scratch;
-    return scratch;
+    static auto& scratch = *new sim::PerThread<BlockScratch>; // Never destroyed: threads may still draw at the end.
+    return scratch.here();
 }
 
 /// False where surely nothing of the block lies in the rows of tiles that are drawn.

@@ -2,6 +2,7 @@
 #include "view/rendering/software/software_renderer.h"
 
 #include "sim/base/parallel.h"
+#include "sim/base/per_thread.h"
 #include "view/rendering/skull_size.h"
 #include "view/rendering/software/hair_segments.h"
 #include "view/rendering/software/head_picture.h"
@@ -34,8 +35,8 @@ double millisecondsFrom(SoftwareClock::time_point begin)
 
 TileSamples& tileSamples()
 {
-    thread_local TileSamples samples;
-    return samples;
+    static auto& samples = *new sim::PerThread<TileSamples>; // Never destroyed: threads may still draw at the end.
+    return samples.here();
 }
 
 } // namespace
