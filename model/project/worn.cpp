@@ -172,34 +172,6 @@ void standOn(Worn& worn, const sim::SurfacePoint& point)
         worn.anchor = anchorAt(point);
 }
 
-const Worn* tieBeside(const std::vector<Worn>& all, const WornSpec& spec, glm::vec3 positionHd)
-{
-    constexpr float kNearRadii = 2.0F; // Of the tie, over its own height off the skin.
-    if (!spec.sitsOnTies)
-        return nullptr;
-    const Worn* nearest = nullptr;
-    float nearestM = std::numeric_limits<float>::max();
-    for (const Worn& one : all) {
-        const float awayM = glm::distance(one.shape.centreHd, positionHd);
-        if (wornSpec(one.kind).tie && awayM < std::min(nearestM, kNearRadii * one.shape.semiAxesM.x)) {
-            nearest = &one;
-            nearestM = awayM;
-        }
-    }
-    return nearest;
-}
-
-void sitOn(Worn& worn, const Worn& tie)
-{
-    constexpr float kOnRing = 0.9F; // Of its outer radius.
-    const float half = std::sqrt(0.5F);
-    const glm::quat turn = glm::normalize(tie.shape.rotation);
-    worn.shape.centreHd = tie.shape.centreHd + turn * glm::vec3(0.0F, kOnRing * tie.shape.semiAxesM.x, 0.0F);
-    worn.shape.rotation = glm::normalize(turn * glm::quat(half, -half, 0.0F, 0.0F));
-    worn.anchor = tie.anchor;
-    worn.tie = tie.id;
-}
-
 sim::SurfacePoint anchorPoint(const Worn& worn, const sim::Skin& skin)
 {
     constexpr float kNone = 1e-3F;

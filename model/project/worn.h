@@ -92,6 +92,16 @@ struct WornMake
     std::span<const HangingPart> (*hanging)() = nullptr; ///< See WornSpec::hanging.
 };
 
+/// How a thing sits on a tie. The seat's y points from the tie's axis to the thing, its z where the hair leaves.
+struct TieSeat
+{
+    float ringRadii;         ///< How far its middle is from the tie's, in outer radii of the ring,
+    float ownRadii = 0.0F;   ///< and besides in its own radii.
+    bool aroundHair = false; ///< Whether it is on the side where it was put on, and at a bun outside the coil, whose
+                             ///< radius then counts as the ring's; else where the knot of a ribbon is.
+    glm::quat turn{1.0F, 0.0F, 0.0F, 0.0F}; ///< Its rotation in the seat's frame.
+};
+
 /// A kind. Texts are in context "Worn" (wornText).
 struct WornSpec
 {
@@ -136,7 +146,8 @@ struct WornSpec
     bool alongPatch = false; ///< Whether it lies along its patch, half as long; others are as large as the patch.
     /// How it gathers the hair of its patch, which leaves along its z axis; none if not.
     std::optional<sim::TieForm> tie = {};
-    bool sitsOnTies = false;         ///< Whether one that is put on at a tie sits on its ring.
+    /// How one that is put on at a tie sits there and goes with it; none: it does not.
+    std::optional<TieSeat> seat = {};
     bool ownMesh = false;            ///< Whether users bring its mesh; its proportions are the mesh's.
     float reach = 1.0F;              ///< Radius of the ball that holds `mesh`, in radii of the unit ball.
     float tieHole = 0.0F;            ///< Inner radius of a tie, in radii.
@@ -169,11 +180,6 @@ struct WornSpec
 [[nodiscard]] Worn mirroredWorn(const Worn& worn, const sim::Skin& skin);
 /// Puts it at the point as makeWorn() does, but keeps its size.
 void standOn(Worn& worn, const sim::SurfacePoint& point);
-/// The tie on whose ring a new thing of the kind sits that is put on at a point of the skin; null: none.
-[[nodiscard]] const Worn* tieBeside(const std::vector<Worn>& all, const WornSpec& spec, glm::vec3 positionHd);
-/// Puts it on the tie's ring, where the bow of a ribbon lies: face up, its own y against the hair that leaves. From
-/// then on it goes with the tie (followTies).
-void sitOn(Worn& worn, const Worn& tie);
 /// The point of the skin that it hangs on.
 [[nodiscard]] sim::SurfacePoint anchorPoint(const Worn& worn, const sim::Skin& skin);
 /// Moves it by hand from one point of the skin to another; its offset and rotation in the skin's frame stay.

@@ -24,6 +24,16 @@ constexpr std::array kTieMakes = {
     WornMake{.id = "ring", .title = QT_TRANSLATE_NOOP("Worn", "Metal ring"), .sheen = 1.0F, .mesh = metalRingBody},
 };
 
+constexpr float kHalfRoot = 0.70710678F; ///< Sine and cosine of 45 degrees.
+/// Face up on the ring, its own y against the hair that leaves.
+constexpr TieSeat kKnotSeat{.ringRadii = 0.9F, .turn = {kHalfRoot, -kHalfRoot, 0.0F, 0.0F}};
+/// Half of it is stuck into the hair, toward the tie; its bend stays outside.
+constexpr TieSeat kPinSeat{.ringRadii = 1.0F, .aroundHair = true, .turn = {kHalfRoot, 0.0F, 0.0F, kHalfRoot}};
+/// Its teeth are in the hair, its back stays outside.
+constexpr TieSeat kCombSeat{.ringRadii = 1.0F, .ownRadii = 0.35F, .aroundHair = true};
+/// Touches the ring, or the coil, from outside.
+constexpr TieSeat kBeadSeat{.ringRadii = 1.0F, .ownRadii = 0.7F, .aroundHair = true};
+
 constexpr std::array kWornSpecs = {
     WornSpec{.kind = WornKind::Ellipsoid,
              .id = "ellipsoid",
@@ -75,7 +85,8 @@ constexpr std::array kWornSpecs = {
              .handles = WornHandles::Radius,
              .ofHead = false,
              .collides = true,
-             .mesh = ballBody},
+             .mesh = ballBody,
+             .seat = kBeadSeat},
     WornSpec{.kind = WornKind::Ponytail,
              .id = "ponytail",
              .ownArray = nullptr,
@@ -198,7 +209,7 @@ constexpr std::array kWornSpecs = {
              .hanging = bowTails,
              .proportions = kBowProportions,
              .stands = true,
-             .sitsOnTies = true},
+             .seat = kKnotSeat},
     WornSpec{.kind = WornKind::Hairpin,
              .id = "hairpin",
              .ownArray = nullptr,
@@ -226,7 +237,8 @@ constexpr std::array kWornSpecs = {
              .proportions = kHairpinProportions,
              .sizeTitle = QT_TRANSLATE_NOOP("Worn", "Half length"),
              .stands = true,
-             .alongPatch = true},
+             .alongPatch = true,
+             .seat = kPinSeat},
     WornSpec{.kind = WornKind::Flower,
              .id = "flower",
              .ownArray = nullptr,
@@ -253,7 +265,7 @@ constexpr std::array kWornSpecs = {
              .mesh = flowerBody,
              .proportions = kFlowerProportions,
              .stands = true,
-             .sitsOnTies = true},
+             .seat = kKnotSeat},
     WornSpec{.kind = WornKind::Comb,
              .id = "comb",
              .ownArray = nullptr,
@@ -280,7 +292,8 @@ constexpr std::array kWornSpecs = {
              .mesh = combBody,
              .proportions = kCombProportions,
              .sizeTitle = QT_TRANSLATE_NOOP("Worn", "Half width"),
-             .stands = true},
+             .stands = true,
+             .seat = kCombSeat},
     WornSpec{.kind = WornKind::Mesh,
              .id = "mesh",
              .ownArray = nullptr,

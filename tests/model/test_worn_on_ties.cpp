@@ -1,4 +1,4 @@
-// A bow that sits on a tie goes where the tie goes.
+// What sits on a tie goes where the tie goes.
 #include "model/document/gather_command.h"
 #include "model/document/scene_commands.h"
 #include "model/files/project_file.h"
@@ -12,6 +12,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <functional>
 
 using namespace hairpaint;
 using namespace hairpaint::model;
@@ -200,6 +201,102 @@ private Q_SLOTS:
         const auto put = std::ranges::find(other.worn, WornKind::Bow, &Worn::kind);
         QVERIFY(put != other.worn.end());
         QCOMPARE(std::ranges::find(other.worn, WornKind::Ponytail, &Worn::kind)->id, put->tie);
+    }
+
+    void pinsCombsAndBeadsAreStuckInWhereTheyArePutOn_data()
+    {
+        QTest::addColumn<WornKind>("kind");
+        QTest::addColumn<WornKind>("tied");
+        QTest::addColumn<glm::vec3>("outAxis");
+        const glm::vec3 x(1.0F, 0.0F, 0.0F);
+        const glm::vec3 y(0.0F, 1.0F, 0.0F);
+        QTest::newRow("a pin on a tail") << WornKind::Hairpin << WornKind::Ponytail << x;
+        QTest::newRow("a pin in a bun") << WornKind::Hairpin << WornKind::Bun << x;
+        QTest::newRow("a comb on a tail") << WornKind::Comb << WornKind::Ponytail << y;
+        QTest::newRow("a comb in a bun") << WornKind::Comb << WornKind::Bun << y;
+        QTest::newRow("a bead on a tail") << WornKind::Ball << WornKind::Ponytail << y;
+        QTest::newRow("a bead on a bun") << WornKind::Ball << WornKind::Bun << y;
+    }
+    /// Around the hair, on the side where it is put on: that of its own axis that is outside points out there.
+    void pinsCombsAndBeadsAreStuckInWhereTheyArePutOn()
+    {
+        QFETCH(WornKind, kind);
+        QFETCH(WornKind, tied);
+        QFETCH(glm::vec3, outAxis);
+        sim::SurfacePoint below;
+        below.positionHd = {0.0F, 0.1F, 0.0F};
+        below.normalHd = glm::normalize(glm::vec3(0.3F, 0.4F, -1.0F));
+        Worn tie = makeWorn(wornSpec(tied), below);
+        tie.id = 3;
+        const glm::quat turn = tie.shape.rotation;
+        const float hairM = tied == WornKind::Bun ? tie.coilRadiusM : tie.shape.semiAxesM.x;
+        for (int degrees = 0; degrees < 360; degrees += 45) {
+            const float angle = glm::radians(static_cast<float>(degrees));
+            const glm::vec3 side = turn * glm::vec3(std::cos(angle), std::sin(angle), 0.0F);
+            sim::SurfacePoint at;
+            at.positionHd = tie.shape.centreHd + 0.8F * hairM * side;
+            at.normalHd = below.normalHd;
+            QCOMPARE(tieBeside({tie}, wornSpec(kind), at.positionHd)->id, tie.id);
+            Worn worn = makeWorn(wornSpec(kind), at);
+            worn.shape.centreHd = at.positionHd;
+            sitOn(worn, tie);
+            QCOMPARE(worn.tie, tie.id);
+            const glm::vec3 away = worn.shape.centreHd - tie.shape.centreHd;
+            QVERIFY(glm::dot(glm::normalize(away), side) > 0.9999F);
+            QVERIFY(glm::length(away) >= 0.999F * hairM && glm::length(away) < hairM + 0.02F);
+            QVERIFY(glm::dot(worn.shape.rotation * outAxis, side) > 0.9999F);
+        }
+        QVERIFY(tieBeside({tie}, wornSpec(kind), tie.shape.centreHd + turn * glm::vec3(0.06F, 0.0F, 0.0F)) == nullptr);
+        // Over the tie's middle, where no side is, it is where a knot would be.
+        Worn middle = makeWorn(wornSpec(kind), below);
+        middle.shape.centreHd = tie.shape.centreHd;
+        sitOn(middle, tie);
+        QVERIFY(glm::dot(turn * glm::vec3(0.0F, 1.0F, 0.0F),
+                         glm::normalize(middle.shape.centreHd - tie.shape.centreHd)) > 0.9999F);
+    }
+
+    /// What is stuck in a bun stays at its rim when the bun is made larger, and where it is when the tie inside is.
+    void whatIsStuckInABunGoesWithIt()
+    {
+        Document document(filledPatch(MapKind::Density, 65535));
+        const Id group = document.committed().groups.front().id;
+        const auto at = [&](float u, float v) { return *document.committed().head->skin->atUv({u, v}); };
+        document.push(gatherCommand(document, group, wornSpec(WornKind::Bun), at(0.5F, 0.6F), {}));
+        const Id bun = document.committed().worn.back().id;
+        for (const WornKind kind : {WornKind::Ball, WornKind::Hairpin, WornKind::Bow, WornKind::Comb}) {
+            Worn worn = makeWorn(wornSpec(kind), at(0.6F, 0.6F), group);
+            sitOn(worn, *document.project().wornThing(bun));
+            document.push(addWornCommand(document, worn));
+        }
+        const auto of = [&](WornKind kind) { return *std::ranges::find(document.project().worn, kind, &Worn::kind); };
+        const auto awayM = [&](WornKind kind) {
+            return glm::distance(of(kind).shape.centreHd, of(WornKind::Bun).shape.centreHd);
+        };
+        const std::vector<Worn> before = document.committed().worn;
+        const auto change = [&](const std::function<void(Worn&)>& edit) {
+            EditSession session = document.begin({.text = QStringLiteral("Look")});
+            session.preview({.aspect = Change::Aspect::Environment},
+                            [&](Project& project) { edit(*project.wornThing(bun)); });
+            session.commit();
+        };
+        const Worn bow = of(WornKind::Bow);
+        const float pinM = awayM(WornKind::Hairpin);
+        change([](Worn& worn) { worn.coilRadiusM *= 1.4F; });
+        for (const WornKind kind : {WornKind::Hairpin, WornKind::Comb, WornKind::Ball})
+            QVERIFY(std::abs(awayM(kind) / of(WornKind::Bun).coilRadiusM - 1.2F) < 0.3F);
+        QVERIFY(std::abs(awayM(WornKind::Hairpin) / pinM - 1.4F) < 1e-3F);
+        QCOMPARE(of(WornKind::Bow), bow);
+        const Worn pin = of(WornKind::Hairpin);
+        change([](Worn& worn) { worn.shape.semiAxesM *= 1.2F; });
+        QCOMPARE(of(WornKind::Hairpin), pin);
+        QVERIFY(of(WornKind::Bow) != bow);
+        document.undo();
+        document.undo();
+        QCOMPARE(document.committed().worn, before);
+        document.push(removeWornCommand(document, bun));
+        QVERIFY(document.committed().worn.empty());
+        document.undo();
+        QCOMPARE(document.committed().worn, before);
     }
 
     void followingAgainChangesNothing()

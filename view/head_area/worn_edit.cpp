@@ -4,6 +4,7 @@
 #include "model/document/gather_command.h"
 #include "model/document/scene_commands.h"
 #include "model/patches/project_patches.h"
+#include "model/project/worn_on_ties.h"
 #include "sim/groom/groom.h"
 #include "view/editing/editor_state.h"
 
