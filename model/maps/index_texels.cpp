@@ -15,6 +15,42 @@ namespace {
 constexpr std::uint16_t kOtherShade = 47000; ///< Of 65535.
 constexpr sim::Texel kNight{0, 0, 0, 0};
 constexpr sim::Texel kPaper{65535, 65535, 65535, 0};
+/// How far a number is from its entry's own lies in the lowest bits of the colour's channels, so that an image of 16
+/// bits keeps it, and nobody sees it.
+constexpr unsigned kTellingBits = 4;
+constexpr std::uint16_t kTelling = (1U << kTellingBits) - 1;
+
+/// Of an entry's number that is so many after its own. Every other one has another shade, so that two rows that touch
+/// are seen as two.
+sim::Texel entryColour(const PaletteEntry& entry, std::size_t after)
+{
+    sim::Texel rgb{widened(qRed(entry.colour)), widened(qGreen(entry.colour)), widened(qBlue(entry.colour)), 0};
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        if (after % 2 != 0)
+            rgb[channel] = mul16(rgb[channel], kOtherShade);
+        rgb[channel] ^= static_cast<std::uint16_t>((after >> (kTellingBits * channel)) & kTelling);
+    }
+    return rgb;
+}
+
+/// The number of the last entry that just this colour shows; 0 where it is no such.
+std::uint16_t numberOfColour(const MapSpec& spec, const sim::Texel& rgb)
+{
+    const std::size_t entry = spec.palette.size() - 1;
+    for (const std::size_t shade : {std::size_t{0}, std::size_t{1}}) {
+        const sim::Texel own = entryColour(spec.palette[entry], shade);
+        std::size_t after = shade;
+        bool isOwn = true;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const auto differs = static_cast<std::uint16_t>(own[channel] ^ rgb[channel]);
+            isOwn = isOwn && differs <= kTelling;
+            after ^= std::size_t{differs} << (kTellingBits * channel);
+        }
+        if (isOwn && after % 2 == shade && entry + after <= lastIndex(spec))
+            return static_cast<std::uint16_t>(entry + after);
+    }
+    return 0;
+}
 
 } // namespace
 
@@ -62,23 +98,21 @@ void indicesToColours(const MapSpec& spec, bool nightPaper, const std::uint16_t*
         const std::uint16_t number = values[texel * step];
         const std::size_t entry = spec.entryOf(number);
         sim::Texel rgb = nightPaper ? kNight : kPaper;
-        if (entry > 0) {
-            const QRgb colour = spec.palette[entry].colour;
-            rgb = {widened(qRed(colour)), widened(qGreen(colour)), widened(qBlue(colour)), 0};
-            if ((number - entry) % 2 != 0) // Every other row, so that two that touch are seen as two.
-                for (std::size_t channel = 0; channel < 3; ++channel)
-                    rgb[channel] = mul16(rgb[channel], kOtherShade);
-        }
+        if (entry > 0)
+            rgb = entryColour(spec.palette[entry], number - entry);
         colours = std::copy_n(rgb.begin(), 3, colours);
     }
 }
 
 void indicesFromColours(const MapSpec& spec, std::span<sim::Texel> texels)
 {
-    for (sim::Texel& texel : texels)
-        texel = {colourToIndex(spec, static_cast<float>(texel[0]) / kFull16, static_cast<float>(texel[1]) / kFull16,
-                               static_cast<float>(texel[2]) / kFull16),
-                 texel[3], 0, 0};
+    for (sim::Texel& texel : texels) {
+        std::uint16_t number = numberOfColour(spec, texel);
+        if (number == 0)
+            number = colourToIndex(spec, static_cast<float>(texel[0]) / kFull16, static_cast<float>(texel[1]) / kFull16,
+                                   static_cast<float>(texel[2]) / kFull16);
+        texel = {number, texel[3], 0, 0};
+    }
 }
 
 /// A grey of 0..1 spread over the palette's entries.

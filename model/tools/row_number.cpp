@@ -32,6 +32,15 @@ void markRows(const sim::TiledRaster& layer, std::vector<bool>& used)
     }
 }
 
+/// By number.
+std::vector<bool> rowsOf(const MapStack& braids)
+{
+    std::vector<bool> used(std::size_t{sim::kLastRowNumber} + 1, false);
+    for (const Layer& layer : braids.layers)
+        markRows(layer.raster, used);
+    return used;
+}
+
 } // namespace
 
 bool isRow(std::uint16_t number)
@@ -41,9 +50,7 @@ bool isRow(std::uint16_t number)
 
 std::vector<std::uint16_t> newRowNumbers(const MapStack& braids, std::size_t count)
 {
-    std::vector<bool> used(std::size_t{sim::kLastRowNumber} + 1, false);
-    for (const Layer& layer : braids.layers)
-        markRows(layer.raster, used);
+    const std::vector<bool> used = rowsOf(braids);
     std::size_t next = used.size();
     while (next > kFirstRow && !used[next - 1])
         --next;
@@ -55,6 +62,31 @@ std::vector<std::uint16_t> newRowNumbers(const MapStack& braids, std::size_t cou
             numbers.push_back(static_cast<std::uint16_t>(free));
     numbers.resize(count, kFirstRow);
     return numbers;
+}
+
+void renumberRows(const MapStack& braids, std::vector<sim::Texel>& texels,
+                  const std::function<bool(std::size_t)>& isLaidOver)
+{
+    const std::vector<bool> used = rowsOf(braids);
+    std::vector<std::uint16_t> numbers(used.size(), 0); // By old number; 0: it stays.
+    std::vector<std::uint16_t> changing;
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const std::uint16_t number = texels[i][0];
+        const bool mayStay = texels[i][1] == 0 || !isRow(number) || number >= used.size() || !used[number];
+        if (mayStay || numbers[number] != 0 || isLaidOver(i))
+            continue;
+        numbers[number] = number;
+        changing.push_back(number);
+    }
+    if (changing.empty())
+        return;
+    std::ranges::sort(changing);
+    const std::vector<std::uint16_t> fresh = newRowNumbers(braids, changing.size());
+    for (std::size_t i = 0; i < changing.size(); ++i)
+        numbers[changing[i]] = fresh[i];
+    for (sim::Texel& texel : texels)
+        if (texel[0] < numbers.size() && numbers[texel[0]] != 0)
+            texel[0] = numbers[texel[0]];
 }
 
 sim::Texel strokeTexel(const ToolContext& context, const ToolEvent& begin)

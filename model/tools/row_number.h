@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace hairpaint::model {
@@ -20,5 +21,10 @@ namespace hairpaint::model {
 /// Numbers of so many new rows in a stack of the braid map: those after the last, else the least that are free. Where
 /// none is left, the first row's.
 [[nodiscard]] std::vector<std::uint16_t> newRowNumbers(const MapStack& braids, std::size_t count);
+
+/// Braid texels that are to be laid into a stack: rows whose numbers it has get new ones, each its own.
+/// `isLaidOver(i)`: whether the i-th lies where its own number lies; a row all of which does keeps its number.
+void renumberRows(const MapStack& braids, std::vector<sim::Texel>& texels,
+                  const std::function<bool(std::size_t)>& isLaidOver);
 
 } // namespace hairpaint::model

@@ -47,6 +47,7 @@ private Q_SLOTS:
     void fillingCoversTheSelectedTexelsOnly();
     void pastingBetweenMapsConverts_data();
     void pastingBetweenMapsConverts();
+    void aPastedRowIsARowOfItsOwn();
     void mapsOfAnotherSizeGetTheSameArea();
     void lockedLayersAreNotPastedInto();
     void otherProgramsSeeWhatWasCopied();
@@ -201,6 +202,43 @@ void TestClipboard::pastingBetweenMapsConverts()
     // What has no values between its own has no soft edge.
     const int coverage = target == MapKind::Braid ? 65535 : 50000;
     QCOMPARE(static_cast<int>(pasted[static_cast<std::size_t>(mapSpec(target).valueChannels)]), coverage);
+}
+
+/// Rows 7 and 9 beside each other, pasted so that they touch themselves, pasted where they are, and moved.
+void TestClipboard::aPastedRowIsARowOfItsOwn()
+{
+    constexpr std::uint16_t kFull = 65535;
+    Project project = projectWith(MapKind::Braid, {7, kFull, 0, 0});
+    sim::TiledRaster& painted = project.groups.front().map(MapKind::Braid).layers.front().raster;
+    for (int x = 64; x < 96; ++x)
+        for (int y = 72; y < 80; ++y)
+            painted.setTexel(x, y, {9, kFull, 0, 0});
+    painted.setTexel(70, 74, {1, kFull, 0, 0}); // A plait is none.
+    Document document(std::move(project));
+    const LayerAddress braids = firstLayer(document, MapKind::Braid);
+    Selection selection;
+    selection.setRectangle(kThere);
+    const Clip clip = copyClip(document, braids, selection);
+    QCOMPARE(pasteCommand(document, braids, clip, selection), nullptr);
+    const auto at = [&](int x, int y) { return int{rasterOf(document, MapKind::Braid).texel(x, y)[0]}; };
+    // To the right, side by side with what it was copied from.
+    selection.setRectangle(kThere.translated(kThere.width(), 0.0));
+    document.push(pasteCommand(document, braids, clip, selection));
+    QCOMPARE(at(90, 66), 7);
+    QCOMPARE(at(90, 76), 9);
+    QCOMPARE(at(100, 66), 10);
+    QCOMPARE(at(100, 76), 11);
+    QCOMPARE(at(70 + 32, 74), 1);
+    document.undo();
+    QCOMPARE(at(100, 66), 0);
+    // Cut and pasted, rows keep their numbers.
+    selection.setRectangle(kThere);
+    document.push(clearCommand(document, braids, selection, QString()));
+    selection.setRectangle(kThere.translated(0.3, -0.1));
+    document.push(pasteCommand(document, braids, clip, selection));
+    const auto moved = [&](int x, int y) { return at(x + 77, y + 26); };
+    QCOMPARE(moved(80, 66), 7);
+    QCOMPARE(moved(80, 77), 9);
 }
 
 void TestClipboard::mapsOfAnotherSizeGetTheSameArea()

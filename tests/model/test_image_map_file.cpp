@@ -1,7 +1,9 @@
 // Images become layers through each map's scale, and maps become images that read back the same.
 #include "model/files/image_map.h"
 #include "model/maps/texel_ops.h"
+#include "model/values/texel_math.h"
 #include "sim/groom/direction_texel.h"
+#include "sim/groom/groom.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -257,6 +259,28 @@ private Q_SLOTS:
             for (std::size_t c = 0; c < static_cast<std::size_t>(spec.valueChannels); ++c)
                 QVERIFY(std::abs(back->texel(i % 256, i / 256)[c] - resolved.texel(i % 256, i / 256)[c]) <=
                         (spec.texel == TexelKind::Scalar || spec.texel == TexelKind::Vector ? 1 : 0));
+    }
+
+    /// Rows that touch stay rows of their own in an image of 16 bits; in one of 8 they are rows, of one number.
+    void rowsKeepTheirNumbersInAnImage()
+    {
+        const MapSpec& spec = mapSpec(MapKind::Braid);
+        sim::TiledRaster resolved(256, 1);
+        for (int y = 0; y < 256; ++y)
+            for (int x = 0; x < 256; ++x)
+                resolved.setTexel(x, y,
+                                  {static_cast<std::uint16_t>((y * 256 + x) % (sim::kLastRowNumber + 1)), 0, 0, 0});
+        ForeignImage image = imageFromMap(resolved, spec);
+        const auto read = layerFromImage(image, spec, false, 256);
+        QVERIFY(read.has_value());
+        for (int y = 0; y < 256; ++y)
+            for (int x = 0; x < 256; ++x)
+                QCOMPARE(read->texel(x, y)[0], resolved.texel(x, y)[0]);
+        for (std::uint16_t& channel : image.pixels)
+            channel = widened(narrowed(channel));
+        const auto coarse = layerFromImage(image, spec, false, 256);
+        for (int x = 0; x < 256; ++x)
+            QCOMPARE(int{coarse->texel(x, 0)[0]}, std::min(x, int{7}));
     }
 
     void paintedTexelsShowTheScale_data()

@@ -6,12 +6,14 @@
 #include "model/maps/texel_ops.h"
 #include "model/maps/tile_paint.h"
 #include "model/tools/live_edit.h"
+#include "model/tools/row_number.h"
 #include "model/values/texel_math.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace hairpaint::model {
 
@@ -213,6 +215,17 @@ CommandPtr pasteCommand(Document& document, const LayerAddress& address, const C
         return texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(clip.width) +
                       static_cast<std::size_t>(column)];
     };
+    if (target.kind == MapKind::Braid && group != nullptr)
+        renumberRows(group->map(MapKind::Braid), texels, [&](std::size_t i) {
+            const auto place = [](std::size_t at, int first, int to, int from) {
+                return first + static_cast<int>((static_cast<std::int64_t>(at) * to + from / 2) / from);
+            };
+            const auto across = static_cast<std::size_t>(clip.width);
+            const int x = place(i % across, left, width, clip.width);
+            const int y = place(i / across, top, height, clip.height);
+            const bool isInside = x >= 0 && y >= 0 && x < size && y < size;
+            return !isInside || raster.texel(x, y)[0] == texels[i][0];
+        });
     const sim::TexelRect room{std::max(0, left), std::max(0, top), std::min(size, left + width),
                               std::min(size, top + height)};
     const auto channels = static_cast<std::size_t>(target.valueChannels);
