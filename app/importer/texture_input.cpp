@@ -2,6 +2,7 @@
 #include "app/importer/texture_input.h"
 
 #include "model/files/wire_format.h"
+#include "sim/skin/texture_halving.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -66,33 +67,6 @@ std::optional<MeshTexture> decoded(std::span<const std::byte> bytes)
     return texture;
 }
 
-/// Means of two by two.
-MeshTexture halved(const MeshTexture& whole)
-{
-    MeshTexture half{.width = std::max(whole.width / 2, 1U), .height = std::max(whole.height / 2, 1U), .rgba = {}};
-    half.rgba.resize(std::size_t{half.width} * half.height * 4);
-    for (std::uint32_t y = 0; y < half.height; ++y)
-        for (std::uint32_t x = 0; x < half.width; ++x)
-            for (std::size_t c = 0; c < 4; ++c) {
-                unsigned sum = 2;
-                for (std::uint32_t i = 0; i < 4; ++i) {
-                    const std::size_t row = std::min(2 * y + i / 2, whole.height - 1);
-                    const std::size_t column = std::min(2 * x + i % 2, whole.width - 1);
-                    sum += whole.rgba[(row * whole.width + column) * 4 + c];
-                }
-                half.rgba[(std::size_t{y} * half.width + x) * 4 + c] = static_cast<std::uint8_t>(sum / 4);
-            }
-    return half;
-}
-
-std::size_t pixelsOf(const std::vector<MeshTexture>& textures)
-{
-    std::size_t pixels = 0;
-    for (const MeshTexture& texture : textures)
-        pixels += texture.rgba.size() / 4;
-    return pixels;
-}
-
 } // namespace
 
 void decodeTextures(model::RiggedMesh& mesh, const std::vector<std::vector<std::byte>>& images)
@@ -110,16 +84,12 @@ void decodeTextures(model::RiggedMesh& mesh, const std::vector<std::vector<std::
             std::optional<MeshTexture> texture = decoded(images[static_cast<std::size_t>(part.texture)]);
             while (texture && (std::max(texture->width, texture->height) > MeshTexture::kLargestSide ||
                                texture->rgba.size() / 4 > MeshTexture::kMostPixels))
-                texture = halved(*texture);
+                texture = sim::halved(*texture);
             if (texture) {
                 known->second = static_cast<std::int32_t>(mesh.textures.size());
                 mesh.textures.push_back(*std::move(texture));
             }
-            while (pixelsOf(mesh.textures) > MeshTexture::kMostPixels) {
-                MeshTexture& largest = *std::ranges::max_element(
-                    mesh.textures, {}, [](const MeshTexture& one) { return one.rgba.size(); });
-                largest = halved(largest);
-            }
+            sim::shrinkTo(mesh.textures, MeshTexture::kMostPixels);
         }
         part.texture = known->second;
     }

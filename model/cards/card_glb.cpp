@@ -74,7 +74,7 @@ public:
     {
         addBody(QString::fromStdString(part.name), mesh, partMaterial(part), bones, skin);
     }
-    /// How many images are added before those of the parts.
+    /// How many images are added before those of parts and of what is worn.
     void reserveImages(int count) { m_firstPartTexture = count; }
     /// After all others.
     void addPartImages()
@@ -93,6 +93,12 @@ public:
         QJsonObject own = material(body.name, body.colour, body.roughness);
         if (body.isOpen)
             own.insert(QStringLiteral("doubleSided"), true);
+        if (body.texture) {
+            QJsonObject surface = own[QLatin1StringView("pbrMetallicRoughness")].toObject();
+            surface.insert(QStringLiteral("baseColorTexture"), partTexture(body.texture));
+            own.insert(QStringLiteral("pbrMetallicRoughness"), surface);
+        }
+        insertAlpha(body.alpha, own);
         addBody(body.name, body.mesh, own, bones, skin);
     }
 
@@ -186,7 +192,7 @@ public:
         insert(QStringLiteral("materials"), m_materials);
         insert(QStringLiteral("images"), m_images);
         insert(QStringLiteral("textures"), m_textures);
-        if (!m_textures.isEmpty()) { // Linear, with levels; no repetition, but for parts.
+        if (!m_textures.isEmpty()) { // Linear, with levels; no repetition, but for parts and what is worn.
             QJsonArray samplers{QJsonObject{{QStringLiteral("magFilter"), 9729},
                                             {QStringLiteral("minFilter"), 9987},
                                             {QStringLiteral("wrapS"), 33071},
@@ -309,6 +315,15 @@ private:
             node.insert(QStringLiteral("skin"), skin);
         m_nodes.append(node);
     }
+    /// The image goes out behind all others.
+    [[nodiscard]] QJsonObject partTexture(const std::shared_ptr<const sim::MeshTexture>& texture)
+    {
+        auto known = std::ranges::find(m_partTextures, texture);
+        if (known == m_partTextures.end())
+            known = m_partTextures.insert(known, texture);
+        const auto number = m_firstPartTexture + static_cast<int>(known - m_partTextures.begin());
+        return {{QStringLiteral("index"), number}};
+    }
     [[nodiscard]] QJsonObject partMaterial(const HeadPart& part)
     {
         constexpr double kRoughness = 0.7;
@@ -317,18 +332,11 @@ private:
         QJsonObject surface{{QStringLiteral("baseColorFactor"), factor},
                             {QStringLiteral("metallicFactor"), 0.0},
                             {QStringLiteral("roughnessFactor"), kRoughness}};
-        if (part.texture) {
-            auto known = std::ranges::find(m_partTextures, part.texture);
-            if (known == m_partTextures.end())
-                known = m_partTextures.insert(known, part.texture);
-            const auto number = m_firstPartTexture + static_cast<int>(known - m_partTextures.begin());
-            surface.insert(QStringLiteral("baseColorTexture"), QJsonObject{{QStringLiteral("index"), number}});
-        }
+        if (part.texture)
+            surface.insert(QStringLiteral("baseColorTexture"), partTexture(part.texture));
         QJsonObject made{{QStringLiteral("name"), QString::fromStdString(part.name)},
                          {QStringLiteral("pbrMetallicRoughness"), surface}};
-        if (part.alpha != sim::TextureAlpha::Opaque)
-            made.insert(QStringLiteral("alphaMode"),
-                        part.alpha == sim::TextureAlpha::Mask ? QStringLiteral("MASK") : QStringLiteral("BLEND"));
+        insertAlpha(part.alpha, made);
         if (part.doubleSided)
             made.insert(QStringLiteral("doubleSided"), true);
         return made;
@@ -389,13 +397,11 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
             glb.addPart(body.parts[i], avatar->parts[i], avatar->partWeights[i], skin);
         const BoneWeights headBone{.joints = {static_cast<std::uint16_t>(avatar->bones[HumanBone::Head])}};
         for (const Worn& worn : settings.worn) {
-            if (!wornSpec(worn.kind).drawn())
-                continue;
-            const WornBody thing = wornBody(worn, turnedWorn(curves, worn, body.turn));
-            if (springs.empty() || thing.hanging.empty())
-                glb.addWorn(thing, std::vector<BoneWeights>(thing.mesh.vertices.size(), headBone), skin);
-            else
-                glb.addSwinging(thing, springs);
+            for (const WornBody& thing : turnedBodies(curves, worn, body.turn))
+                if (springs.empty() || thing.hanging.empty())
+                    glb.addWorn(thing, std::vector<BoneWeights>(thing.mesh.vertices.size(), headBone), skin);
+                else
+                    glb.addSwinging(thing, springs);
         }
         glb.addAvatar(springs, settings, body);
     } else {

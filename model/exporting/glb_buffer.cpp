@@ -53,4 +53,11 @@ QJsonArray jsonNumbers(const glm::vec3& v)
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
+void insertAlpha(sim::TextureAlpha alpha, QJsonObject& material)
+{
+    if (alpha != sim::TextureAlpha::Opaque)
+        material.insert(QStringLiteral("alphaMode"),
+                        alpha == sim::TextureAlpha::Mask ? QStringLiteral("MASK") : QStringLiteral("BLEND"));
+}
+
 } // namespace hairpaint::model

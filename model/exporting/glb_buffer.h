@@ -1,6 +1,8 @@
 // The binary chunk of a glTF file while it is put together, and the accessors that describe it.
 #pragma once
 
+#include "sim/skin/mesh_texture.h"
+
 #include <QByteArray>
 #include <QJsonArray>
 #include <QJsonObject>
@@ -41,5 +43,7 @@ private:
 };
 
 [[nodiscard]] QJsonArray jsonNumbers(const glm::vec3& v);
+/// Sets a material's "alphaMode" where it is not opaque.
+void insertAlpha(sim::TextureAlpha alpha, QJsonObject& material);
 
 } // namespace hairpaint::model

@@ -1,9 +1,9 @@
 // Wavefront OBJ: `v x y z r g b` and `l a b`.
 #include "model/exporting/obj_file.h"
 
-#include "model/disk/staged_files.h"
 #include "model/exporting/piece_writer.h"
-#include "model/exporting/worn_body.h"
+#include "model/exporting/side_files.h"
+#include "model/exporting/worn_images.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -71,7 +71,7 @@ void writeLines(const CurveGroup& group, double until, PieceWriter& writer)
 }
 
 /// A thing that is worn, behind `before` vertices: triangles with normals and uv, whose vertices bring its colour, as
-/// the hair's do.
+/// the hair's do; of a texture its mean.
 std::string wornObject(const WornBody& body, const ExportSpace& space, std::uint64_t before, std::uint64_t ownBefore)
 {
     const auto numbers = [](std::string& out, const char* keyword, std::initializer_list<float> values) {
@@ -86,7 +86,8 @@ std::string wornObject(const WornBody& body, const ExportSpace& space, std::uint
     out += objectName(body.name);
     out.push_back('\n');
     std::string colour;
-    for (const int channel : {qRed(body.colour), qGreen(body.colour), qBlue(body.colour)}) {
+    const QRgb mean = meanColour(body);
+    for (const int channel : {qRed(mean), qGreen(mean), qBlue(mean)}) {
         colour.push_back(' ');
         appendFraction(colour, static_cast<float>(channel) / 255.0F, kObjColourDecimals);
     }
@@ -115,8 +116,8 @@ std::string wornObject(const WornBody& body, const ExportSpace& space, std::uint
     return out;
 }
 
-/// Colours as vertices have them; roughness as an exponent for old readers and by itself for new ones.
-void addMaterial(const WornBody& body, std::string& out)
+/// Colours in sRGB; roughness as an exponent for old readers and by itself for new ones.
+void addMaterial(const WornBody& body, const WornImages& images, std::string& out)
 {
     constexpr float kGlint = 0.04F; // What is no metal reflects.
     constexpr float kSharpest = 1000.0F;
@@ -141,13 +142,17 @@ void addMaterial(const WornBody& body, std::string& out)
     line("Pr", {roughness});
     line("Pm", {0.0F});
     out += "illum 2\n";
+    if (body.texture)
+        out += "map_Kd " + images.nameOf(body).toStdString() + "\n";
+    if (body.alpha != sim::TextureAlpha::Opaque)
+        out += "map_d " + images.nameOf(body).toStdString() + "\n";
 }
 
-std::string materialsText(std::span<const WornBody> bodies)
+std::string materialsText(std::span<const WornBody> bodies, const WornImages& images)
 {
     std::string text = "# Hair Paint: colours in sRGB\n";
     for (const WornBody& body : bodies)
-        addMaterial(body, text);
+        addMaterial(body, images, text);
     return text;
 }
 
@@ -197,21 +202,12 @@ Result<void> writeObjFile(const CurveSet& curves, const ExportSettings& settings
     if (bodies.empty())
         return writeObj(curves, settings, bodies, path, {}, progress);
     const QString materials = objMaterialsPath(path);
-    for (const QString& target : {path, materials})
-        if (const Checked<void> writable = checkWritable(target); !writable)
-            return cannotWrite(target, writable.error());
-    StagedFiles staged(QFileInfo(path).path());
-    if (Result<void> ready = staged.check(path); !ready)
-        return ready;
-    const std::string text = materialsText(bodies);
-    if (const Checked<void> written =
-            writeFile(staged.pathFor(materials), {text.data(), static_cast<qsizetype>(text.size())});
-        !written)
-        return cannotWrite(materials, written.error());
-    if (const Result<void> written = writeObj(curves, settings, bodies, staged.pathFor(path), materials, progress);
-        !written)
-        return tl::unexpected(staged.named(written.error(), path));
-    return staged.publish({path, materials});
+    const WornImages images(bodies, QFileInfo(path).completeBaseName());
+    std::vector<SideFile> sides = images.filesBeside(path);
+    sides.insert(sides.begin(), {.path = materials, .bytes = QByteArray::fromStdString(materialsText(bodies, images))});
+    return writeWithSideFiles(path, sides, [&](const QString& staged) {
+        return writeObj(curves, settings, bodies, staged, materials, progress);
+    });
 }
 
 } // namespace hairpaint::model

@@ -9,7 +9,8 @@ namespace hairpaint::model {
 
 /// An object a group, and one with faces for each thing that is worn; vertices with colours (sRGB as encoded), and a
 /// line a segment, since some readers keep no more of a longer one. Where something is worn, its materials lie
-/// beside it (objMaterialsPath). Atomic, both together. Any thread.
+/// beside it (objMaterialsPath), and the images that they name, NAME-worn-1.png and so on. Atomic, all together. Any
+/// thread.
 [[nodiscard]] Result<void> writeObjFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                                         const Progress& progress = {});
 

@@ -46,9 +46,9 @@ void hold(PosedMesh& head, const CurveSet& set)
 }
 
 /// On its head.
-PosedMesh bodyOf(const Worn& worn, const sim::Skin* skin)
+PosedMesh bodyOf(const Worn& worn, const sim::HeadMesh& mesh)
 {
-    PosedMesh body = plainHead(*wornMesh(worn, skin));
+    PosedMesh body = plainHead(mesh);
     const sim::Ellipsoid& shape = worn.shape;
     const glm::quat rotation = glm::normalize(shape.rotation);
     for (HeadVertexOut& vertex : body.vertices) {
@@ -76,16 +76,16 @@ PosedMesh posedPart(const CurveSet& set, const HeadPart& part)
     return own;
 }
 
-PosedMesh posedWorn(const CurveSet& set, const Worn& worn)
+PosedMesh posedWorn(const CurveSet& set, const Worn& worn, const sim::HeadMesh& mesh)
 {
-    PosedMesh body = bodyOf(worn, set.skin());
+    PosedMesh body = bodyOf(worn, mesh);
     hold(body, set);
     return body;
 }
 
-PosedMesh turnedWorn(const CurveSet& set, const Worn& worn, const glm::quat& turn)
+PosedMesh turnedWorn(const Worn& worn, const sim::HeadMesh& mesh, const glm::quat& turn)
 {
-    PosedMesh turned = bodyOf(worn, set.skin());
+    PosedMesh turned = bodyOf(worn, mesh);
     for (HeadVertexOut& vertex : turned.vertices) {
         vertex.position = turn * vertex.position;
         vertex.normal = turn * vertex.normal;

@@ -31,9 +31,9 @@ struct PosedMesh
 [[nodiscard]] PosedMesh posedHead(const CurveSet& set);
 /// A part of the head's character, likewise.
 [[nodiscard]] PosedMesh posedPart(const CurveSet& set, const HeadPart& part);
-/// A thing of a kind that is drawn, Wo, as it goes with the head.
-[[nodiscard]] PosedMesh posedWorn(const CurveSet& set, const Worn& worn);
+/// A mesh that is drawn of a thing (wornSurfaces), Wo, as it goes with the head.
+[[nodiscard]] PosedMesh posedWorn(const CurveSet& set, const Worn& worn, const sim::HeadMesh& mesh);
 /// The same on a head at rest that is turned about its origin.
-[[nodiscard]] PosedMesh turnedWorn(const CurveSet& set, const Worn& worn, const glm::quat& turn);
+[[nodiscard]] PosedMesh turnedWorn(const Worn& worn, const sim::HeadMesh& mesh, const glm::quat& turn);
 
 } // namespace hairpaint::model

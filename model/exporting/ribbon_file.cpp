@@ -125,7 +125,8 @@ Result<void> writeRibbonFile(const CurveSet& curves, const ExportSettings& setti
                              const std::vector<WornBody> bodies = wornBodies(curves, settings.worn);
                              for (const WornBody& body : bodies)
                                  json.add(body);
-                             constexpr quint64 kMostJsonBytes = 1U << 20U;
+                             const std::vector<QByteArray> images = json.addImages();
+                             constexpr quint64 kMostJsonBytes = 1U << 26U;
                              if (json.bytes() > std::numeric_limits<quint32>::max() - kMostJsonBytes)
                                  return tooManyPoints();
                              const QByteArray head = glbHead(json.finish(), static_cast<quint32>(json.bytes()));
@@ -141,6 +142,8 @@ Result<void> writeRibbonFile(const CurveSet& curves, const ExportSettings& setti
                                  writer.write(bytesOf(body.mesh.vertices));
                                  writer.write(bytesOf(body.mesh.indices));
                              }
+                             for (const QByteArray& image : images)
+                                 writer.write({image.constData(), static_cast<std::size_t>(image.size())});
                              return {};
                          });
 }

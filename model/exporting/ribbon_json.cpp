@@ -2,8 +2,10 @@
 #include "model/exporting/ribbon_json.h"
 
 #include "model/exporting/glb_buffer.h"
+#include "model/files/glb_writing.h"
 #include "model/values/srgb.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace hairpaint::model {
@@ -67,14 +69,37 @@ void RibbonJson::add(const WornBody& body)
     QJsonArray factor =
         jsonNumbers({linear(qRed(body.colour)), linear(qGreen(body.colour)), linear(qBlue(body.colour))});
     factor.append(1.0);
-    QJsonObject material{
-        {QStringLiteral("name"), body.name},
-        {QStringLiteral("pbrMetallicRoughness"), QJsonObject{{QStringLiteral("baseColorFactor"), factor},
-                                                             {QStringLiteral("metallicFactor"), 0.0},
-                                                             {QStringLiteral("roughnessFactor"), body.roughness}}}};
+    QJsonObject surface{{QStringLiteral("baseColorFactor"), factor},
+                        {QStringLiteral("metallicFactor"), 0.0},
+                        {QStringLiteral("roughnessFactor"), body.roughness}};
+    if (body.texture) {
+        auto known = std::ranges::find(m_textures, body.texture);
+        if (known == m_textures.end())
+            known = m_textures.insert(known, body.texture);
+        const auto number = static_cast<int>(known - m_textures.begin());
+        surface.insert(QStringLiteral("baseColorTexture"), QJsonObject{{QStringLiteral("index"), number}});
+    }
+    QJsonObject material{{QStringLiteral("name"), body.name}, {QStringLiteral("pbrMetallicRoughness"), surface}};
     if (body.isOpen)
         material.insert(QStringLiteral("doubleSided"), true);
+    insertAlpha(body.alpha, material);
     addNode(body.name, attributes, indices, material);
+}
+
+std::vector<QByteArray> RibbonJson::addImages()
+{
+    std::vector<QByteArray> images;
+    for (const std::shared_ptr<const sim::MeshTexture>& texture : m_textures) {
+        QByteArray& png = images.emplace_back(pngOfTexture(*texture));
+        const int view = addView(static_cast<quint64>(png.size()), GlbBuffer::kOther, 0);
+        m_images.append(QJsonObject{{QStringLiteral("mimeType"), QStringLiteral("image/png")},
+                                    {QStringLiteral("bufferView"), view}});
+        while (png.size() % 4 != 0) { // What follows begins at a multiple of 4.
+            png.append('\0');
+            ++m_bytes;
+        }
+    }
+    return images;
 }
 
 QJsonObject RibbonJson::finish() const
@@ -92,6 +117,13 @@ QJsonObject RibbonJson::finish() const
         root.insert(QStringLiteral("nodes"), m_nodes);
         root.insert(QStringLiteral("meshes"), m_meshes);
         root.insert(QStringLiteral("materials"), m_materials);
+        if (!m_images.isEmpty()) {
+            QJsonArray textures;
+            for (int i = 0; i < static_cast<int>(m_images.size()); ++i)
+                textures.append(QJsonObject{{QStringLiteral("source"), i}});
+            root.insert(QStringLiteral("images"), m_images);
+            root.insert(QStringLiteral("textures"), textures);
+        }
         root.insert(QStringLiteral("accessors"), m_accessors);
         root.insert(QStringLiteral("bufferViews"), m_views);
         root.insert(QStringLiteral("buffers"),
@@ -117,8 +149,9 @@ int RibbonJson::addView(quint64 bytes, int target, std::size_t stride)
 {
     QJsonObject view{{QStringLiteral("buffer"), 0},
                      {QStringLiteral("byteOffset"), static_cast<qint64>(m_bytes)},
-                     {QStringLiteral("byteLength"), static_cast<qint64>(bytes)},
-                     {QStringLiteral("target"), target}};
+                     {QStringLiteral("byteLength"), static_cast<qint64>(bytes)}};
+    if (target != GlbBuffer::kOther)
+        view.insert(QStringLiteral("target"), target);
     if (stride > 0)
         view.insert(QStringLiteral("byteStride"), static_cast<int>(stride));
     m_views.append(view);

@@ -4,6 +4,7 @@
 #include "model/exporting/curve_set.h"
 #include "model/exporting/worn_body.h"
 
+#include <QByteArray>
 #include <QJsonArray>
 #include <QJsonObject>
 
@@ -11,6 +12,8 @@
 
 #include <array>
 #include <limits>
+#include <memory>
+#include <vector>
 
 namespace hairpaint::model {
 
@@ -45,6 +48,8 @@ class RibbonJson
 public:
     void add(const CurveSet& set, const RibbonGroup& group);
     void add(const WornBody& body); ///< Its vertices are HeadVertexOut, as it has them.
+    /// After all others: the images that bodies show, as the chunk has them.
+    [[nodiscard]] std::vector<QByteArray> addImages();
 
     [[nodiscard]] quint64 bytes() const { return m_bytes; } ///< Size of the binary chunk.
     [[nodiscard]] QJsonObject finish() const;
@@ -54,7 +59,8 @@ private:
     int addView(quint64 bytes, int target, std::size_t stride);
     int addAccessor(const QJsonObject& accessor);
 
-    QJsonArray m_nodes, m_meshes, m_materials, m_accessors, m_views;
+    QJsonArray m_nodes, m_meshes, m_materials, m_accessors, m_views, m_images;
+    std::vector<std::shared_ptr<const sim::MeshTexture>> m_textures;
     quint64 m_bytes = 0;
 };
 

@@ -3,14 +3,17 @@
 #include "model/exporting/usd_file.h"
 
 #include "model/exporting/piece_writer.h"
-#include "model/exporting/stored_entry.h"
+#include "model/exporting/side_files.h"
+#include "model/exporting/stored_archive.h"
 #include "model/exporting/usd_mesh.h"
 #include "model/exporting/usd_text.h"
-#include "model/exporting/worn_body.h"
+#include "model/exporting/worn_images.h"
 
+#include <QFileInfo>
 #include <QSet>
 
 #include <algorithm>
+#include <span>
 
 namespace hairpaint::model {
 
@@ -23,8 +26,10 @@ constexpr float kCentimetresPerMetre = 100.0F; ///< groom_width is in Unreal's u
 class UsdText
 {
 public:
-    UsdText(const CurveSet& set, const ExportSettings& settings, PieceWriter& writer)
-        : m_set(set), m_settings(settings), m_writer(writer)
+    /// `images`: of the bodies, beside the text.
+    UsdText(const CurveSet& set, const ExportSettings& settings, std::span<const WornBody> bodies,
+            const WornImages& images, PieceWriter& writer)
+        : m_set(set), m_settings(settings), m_bodies(bodies), m_images(images), m_writer(writer)
     {
         for (const CurveGroup& group : set.groups())
             m_allPoints += pointsOf(group.curves) + pointsOf(group.guides);
@@ -49,8 +54,8 @@ public:
             m_writer.write("    }\n");
             ++number;
         }
-        for (const WornBody& body : wornBodies(m_set, m_settings.worn))
-            m_writer.write(usdMesh(body, usdName(body.name, taken), m_settings.space));
+        for (const WornBody& body : m_bodies)
+            m_writer.write(usdMesh(body, usdName(body.name, taken), m_images.nameOf(body), m_settings.space));
         m_writer.write("}\n");
     }
 
@@ -209,6 +214,8 @@ private:
 
     const CurveSet& m_set;
     const ExportSettings& m_settings;
+    std::span<const WornBody> m_bodies;
+    const WornImages& m_images;
     PieceWriter& m_writer;
     std::uint64_t m_allPoints = 0;
     std::uint64_t m_donePoints = 0;
@@ -219,22 +226,33 @@ private:
 Result<void> writeUsdFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                           const Progress& progress)
 {
-    return writeInPieces(path, curves.pointCount() * kUsdPointBytes, progress,
-                         [&](AtomicFile&, PieceWriter& writer) -> Checked<void> {
-                             UsdText(curves, settings, writer).write();
-                             return {};
-                         });
+    const std::vector<WornBody> bodies = wornBodies(curves, settings.worn);
+    const WornImages images(bodies, QFileInfo(path).completeBaseName());
+    return writeWithSideFiles(path, images.filesBeside(path), [&](const QString& staged) {
+        return writeInPieces(staged, curves.pointCount() * kUsdPointBytes, progress,
+                             [&](AtomicFile&, PieceWriter& writer) -> Checked<void> {
+                                 UsdText(curves, settings, bodies, images, writer).write();
+                                 return {};
+                             });
+    });
 }
 
 Result<void> writeUsdArchive(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                              const Progress& progress)
 {
+    const std::vector<WornBody> bodies = wornBodies(curves, settings.worn);
+    const WornImages images(bodies, QStringLiteral("hair"));
     return writeInPieces(path, curves.pointCount() * kUsdPointBytes, progress,
                          [&](AtomicFile& file, PieceWriter& writer) {
-                             StoredEntry entry(file, "hair.usda");
-                             writer.divert([&entry](std::string_view bytes) { entry.write(bytes); });
-                             UsdText(curves, settings, writer).write();
-                             return entry.finish();
+                             StoredArchive archive(file);
+                             archive.begin("hair.usda");
+                             writer.divert([&archive](std::string_view bytes) { archive.write(bytes); });
+                             UsdText(curves, settings, bodies, images, writer).write();
+                             for (const SideFile& image : images.files()) {
+                                 archive.begin(image.path.toLatin1());
+                                 archive.write({image.bytes.constData(), static_cast<std::size_t>(image.bytes.size())});
+                             }
+                             return archive.finish();
                          });
 }
 

@@ -9,10 +9,11 @@ namespace hairpaint::model {
 
 /// A Mesh with its material for each thing that is worn, and an Xform a group, with its strands and, as further curves,
 /// its basis hairs as guides: linear BasisCurves with widths and colours per point (linear light) and Unreal's groom
-/// attributes. The stage names unit and axis. Atomic. Any thread.
+/// attributes. The stage names unit and axis. Textures of what is worn lie beside it, as NAME-worn-1.png and so on.
+/// Atomic, all together. Any thread.
 [[nodiscard]] Result<void> writeUsdFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                                         const Progress& progress = {});
-/// The same as `hair.usda` in a `.usdz`: stored, its bytes aligned to 64.
+/// The same as `hair.usda` and its images in a `.usdz`: stored, their bytes aligned to 64.
 [[nodiscard]] Result<void> writeUsdArchive(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                                            const Progress& progress = {});
 

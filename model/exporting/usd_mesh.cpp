@@ -34,23 +34,55 @@ std::string linearColour(QRgb colour)
     return out;
 }
 
-std::string materialOf(const WornBody& body, const std::string& path)
+/// What the image is shown by: its file, and the uvs that it lies by.
+std::string pictureOf(const WornBody& body, const std::string& path, const QString& image)
 {
-    const std::string colour = linearColour(body.colour);
-    std::string roughness;
-    appendNumber(roughness, static_cast<float>(body.roughness));
-    return "        def Material \"Material\"\n        {\n            token outputs:surface.connect = <" + path +
-           "/Material/Surface.outputs:surface>\n\n            def Shader \"Surface\"\n            {\n"
-           "                uniform token info:id = \"UsdPreviewSurface\"\n"
-           "                color3f inputs:diffuseColor = " +
-           colour +
-           "\n                float inputs:metallic = 0\n                float inputs:roughness = " + roughness +
-           "\n                token outputs:surface\n            }\n        }\n";
+    const auto linear = [](int channel) { return linearFromSrgb(static_cast<float>(channel) / 255.0F); };
+    std::string scale;
+    for (const int channel : {qRed(body.colour), qGreen(body.colour), qBlue(body.colour)}) {
+        appendNumber(scale, linear(channel));
+        scale.push_back(',');
+    }
+    return "\n            def Shader \"Picture\"\n            {\n"
+           "                uniform token info:id = \"UsdUVTexture\"\n"
+           "                asset inputs:file = @@@./" +
+           image.toStdString() + "@@@\n                float4 inputs:scale = (" + scale +
+           "1)\n                token inputs:sourceColorSpace = \"sRGB\"\n"
+           "                float2 inputs:st.connect = <" +
+           path +
+           "/Material/Uv.outputs:result>\n"
+           "                token inputs:wrapS = \"repeat\"\n                token inputs:wrapT = \"repeat\"\n"
+           "                float outputs:a\n                float3 outputs:rgb\n            }\n\n"
+           "            def Shader \"Uv\"\n            {\n"
+           "                uniform token info:id = \"UsdPrimvarReader_float2\"\n"
+           "                string inputs:varname = \"st\"\n                float2 outputs:result\n            }\n";
+}
+
+std::string materialOf(const WornBody& body, const std::string& path, const QString& image)
+{
+    std::string out = "        def Material \"Material\"\n        {\n            token outputs:surface.connect = <" +
+                      path +
+                      "/Material/Surface.outputs:surface>\n\n            def Shader \"Surface\"\n            {\n"
+                      "                uniform token info:id = \"UsdPreviewSurface\"\n"
+                      "                color3f inputs:diffuseColor";
+    out +=
+        image.isEmpty() ? " = " + linearColour(body.colour) : ".connect = <" + path + "/Material/Picture.outputs:rgb>";
+    out += "\n                float inputs:metallic = 0\n";
+    if (body.alpha != sim::TextureAlpha::Opaque)
+        out += "                float inputs:opacity.connect = <" + path + "/Material/Picture.outputs:a>\n";
+    if (body.alpha == sim::TextureAlpha::Mask)
+        out += "                float inputs:opacityThreshold = 0.5\n";
+    out += "                float inputs:roughness = ";
+    appendNumber(out, static_cast<float>(body.roughness));
+    out += "\n                token outputs:surface\n            }\n";
+    if (!image.isEmpty())
+        out += pictureOf(body, path, image);
+    return out + "        }\n";
 }
 
 } // namespace
 
-std::string usdMesh(const WornBody& body, const QString& name, const ExportSpace& space)
+std::string usdMesh(const WornBody& body, const QString& name, const QString& image, const ExportSpace& space)
 {
     const PosedMesh& mesh = body.mesh;
     const std::string path = "/Hair/" + name.toStdString();
@@ -78,9 +110,9 @@ std::string usdMesh(const WornBody& body, const QString& name, const ExportSpace
         appendNumber(out, 1.0F - vertex.uv.y); // glTF's v points down.
         out.push_back(')');
     });
-    out += "        color3f[] primvars:displayColor = [" + linearColour(body.colour) +
+    out += "        color3f[] primvars:displayColor = [" + linearColour(meanColour(body)) +
            "] (\n            interpolation = \"constant\"\n        )\n\n";
-    return out + materialOf(body, path) + "    }\n";
+    return out + materialOf(body, path, image) + "    }\n";
 }
 
 } // namespace hairpaint::model

@@ -11,7 +11,8 @@
 namespace hairpaint::model {
 
 /// The text of a Mesh of that name below /Hair, in `space`, with its material inside, so that it can be taken along
-/// alone.
-[[nodiscard]] std::string usdMesh(const WornBody& body, const QString& name, const ExportSpace& space);
+/// alone. `image`: the file of its texture, beside the text's own; empty where it has none.
+[[nodiscard]] std::string usdMesh(const WornBody& body, const QString& name, const QString& image,
+                                  const ExportSpace& space);
 
 } // namespace hairpaint::model

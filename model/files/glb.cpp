@@ -247,10 +247,12 @@ Checked<GlbParts> partsFromGlb(const QByteArray& glb)
         const std::optional<QJsonObject> primitive = primitiveOf(told);
         HeadPart part{
             .name = told.value(QLatin1String("name")).toString().toStdString(), .texture = nullptr, .mesh = nullptr};
+        if (i == 0)
+            part.colour = glm::vec3(1.0F);
         if (!primitive || !isJointName(part.name) || !materials.read(*primitive, part))
             return broken();
         if (i == 0) {
-            read.texture = part.texture;
+            read.first = std::move(part);
             continue;
         }
         std::optional<sim::HeadMesh> mesh = meshOf(*container, *primitive);

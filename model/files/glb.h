@@ -17,13 +17,13 @@ namespace hairpaint::model {
 [[nodiscard]] Checked<sim::HeadMesh> meshFromGlb(const QByteArray& glb);
 /// The skeleton and weights of the first mesh; empty where that mesh has no skin.
 [[nodiscard]] Checked<HeadSkeleton> skeletonFromGlb(const QByteArray& glb);
-/// The meshes after the first, in the source's space, and the texture of the first.
+/// The meshes after the first, in the source's space, and the material of the first.
 struct GlbParts
 {
+    HeadPart first; ///< Without mesh; white where the file names no material.
     std::vector<HeadPart> parts;
     /// By part: the weights of its vertices; empty where the part has none.
     std::vector<std::vector<BoneWeights>> weights;
-    std::shared_ptr<const sim::MeshTexture> texture;
 };
 [[nodiscard]] Checked<GlbParts> partsFromGlb(const QByteArray& glb);
 /// The tiles of the first mesh's layout; one tile where the file names none or names invalid ones.

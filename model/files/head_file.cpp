@@ -313,7 +313,7 @@ Checked<std::shared_ptr<const Head>> headFromGlb(const QString& name, const QByt
                       Clause::Cure::OtherFile);
     head->shownMesh = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
     head->parts = std::move(parts->parts);
-    head->texture = std::move(parts->texture);
+    head->texture = std::move(parts->first.texture);
     head->distances = sim::DistanceGrid::make(touched, [&goesOn](double) { return !goesOn || goesOn(); });
     const Head& known = *defaultHead();
     head->landmarks = landmarks ? landmarks

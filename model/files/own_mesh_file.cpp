@@ -7,12 +7,13 @@
 #include "model/files/worn_json.h"
 #include "model/values/srgb.h"
 #include "sim/skin/mesh_bounds.h"
+#include "sim/skin/texture_halving.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <optional>
+#include <set>
 #include <utility>
 
 namespace hairpaint::model {
@@ -26,14 +27,14 @@ const WornSpec& ownSpec()
     return wornSpec(WornKind::Mesh);
 }
 
-Checked<void> checkCounts(const sim::HeadMesh& mesh)
+Checked<void> checkCounts(std::size_t vertices, std::size_t triangles)
 {
-    if (mesh.positionsHd.size() <= kMostOwnVertices && mesh.triangles.size() <= kMostOwnTriangles)
+    if (vertices <= kMostOwnVertices && triangles <= kMostOwnTriangles)
         return {};
     return refuse(
         say(QT_TRANSLATE_NOOP("Files", "its mesh has %1 triangles, and what is worn has at most %2; reduce it "
                                        "in a 3D program"))
-            .arg(mesh.triangles.size())
+            .arg(triangles)
             .arg(kMostOwnTriangles),
         Clause::Cure::OtherFile);
 }
@@ -79,43 +80,74 @@ std::shared_ptr<const sim::HeadMesh> mirroredMesh(sim::HeadMesh mesh)
     return std::make_shared<const sim::HeadMesh>(std::move(mesh));
 }
 
-std::shared_ptr<const OwnMesh> made(const QString& name, QByteArray glb, sim::HeadMesh mesh)
+QRgb encoded(const glm::vec3& linear)
 {
-    auto own = std::make_shared<OwnMesh>();
-    own->name = name;
-    own->glb = std::move(glb);
-    own->mirrored = mirroredMesh(mesh);
-    own->mesh = std::make_shared<const sim::HeadMesh>(std::move(mesh));
-    return own;
-}
-
-/// Linear.
-glm::vec3 meanOf(const MeshTexture& texture)
-{
-    constexpr std::size_t kMostSamples = 4096;
-    const std::size_t pixels = std::size_t{texture.width} * texture.height;
-    const std::size_t stride = pixels / kMostSamples + 1;
-    glm::vec3 sum(0.0F);
-    float count = 0.0F;
-    for (std::size_t i = 0; i < pixels; i += stride, count += 1.0F)
-        for (int channel = 0; channel < 3; ++channel)
-            sum[channel] +=
-                linearFromSrgb(static_cast<float>(texture.rgba[4 * i + static_cast<std::size_t>(channel)]) / 255.0F);
-    return count > 0.0F ? sum / count : glm::vec3(1.0F);
-}
-
-QRgb colourOf(const RiggedMesh& source)
-{
-    const auto largest = std::ranges::max_element(source.parts, {}, &MeshPart::triangles);
-    if (largest == source.parts.end())
-        return ownSpec().colour;
-    glm::vec3 colour = largest->colour;
-    if (largest->texture >= 0 && static_cast<std::size_t>(largest->texture) < source.textures.size())
-        colour *= meanOf(source.textures[static_cast<std::size_t>(largest->texture)]);
-    const auto channel = [](float linear) {
-        return static_cast<int>(std::lround(255.0F * srgbFromLinear(std::clamp(linear, 0.0F, 1.0F))));
+    const auto channel = [&linear](int at) {
+        return static_cast<int>(std::lround(255.0F * srgbFromLinear(std::clamp(linear[at], 0.0F, 1.0F))));
     };
-    return qRgb(channel(colour.x), channel(colour.y), channel(colour.z));
+    return qRgb(channel(0), channel(1), channel(2));
+}
+
+bool looksAlike(const MeshPart& a, const MeshPart& b)
+{
+    return a.texture == b.texture && a.colour == b.colour && (a.texture < 0 || a.alpha == b.alpha);
+}
+
+template<typename Element>
+void append(std::vector<Element>& to, const std::vector<Element>& from, std::size_t first, std::size_t count)
+{
+    const auto begin = from.begin() + static_cast<std::ptrdiff_t>(first);
+    to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
+}
+
+/// With a part for each look, in the order in which they first come, and the textures that these show.
+RiggedMesh joinedByLook(const RiggedMesh& source)
+{
+    struct Range
+    {
+        std::size_t firstVertex = 0, firstTriangle = 0;
+    };
+    std::vector<Range> ranges;
+    Range next;
+    for (const MeshPart& part : source.parts) {
+        ranges.push_back(next);
+        next.firstVertex += part.vertices;
+        next.firstTriangle += part.triangles;
+    }
+    RiggedMesh joined;
+    std::map<std::int32_t, std::int32_t> textures;
+    std::vector<bool> isTaken(source.parts.size());
+    for (std::size_t look = 0; look < source.parts.size(); ++look) {
+        if (isTaken[look] || source.parts[look].triangles == 0)
+            continue;
+        MeshPart& made = joined.parts.emplace_back(source.parts[look]);
+        made.vertices = made.triangles = 0;
+        for (std::size_t i = look; i < source.parts.size(); ++i) {
+            const MeshPart& part = source.parts[i];
+            if (isTaken[i] || part.triangles == 0 || !looksAlike(part, source.parts[look]))
+                continue;
+            isTaken[i] = true;
+            const auto moved = static_cast<std::uint32_t>(joined.positionsHd.size() - ranges[i].firstVertex);
+            append(joined.positionsHd, source.positionsHd, ranges[i].firstVertex, part.vertices);
+            append(joined.normalsHd, source.normalsHd, ranges[i].firstVertex, part.vertices);
+            append(joined.uvs, source.uvs, ranges[i].firstVertex, part.vertices);
+            for (std::size_t t = 0; t < part.triangles; ++t)
+                joined.triangles.push_back(source.triangles[ranges[i].firstTriangle + t] + moved);
+            made.vertices += part.vertices;
+            made.triangles += part.triangles;
+        }
+        if (made.texture < 0) {
+            made.alpha = PartAlpha::Opaque;
+            continue;
+        }
+        const auto [known, isNew] =
+            textures.try_emplace(made.texture, static_cast<std::int32_t>(joined.textures.size()));
+        if (isNew)
+            joined.textures.push_back(source.textures[static_cast<std::size_t>(made.texture)]);
+        made.texture = known->second;
+    }
+    sim::shrinkTo(joined.textures, kMostOwnPixels);
+    return joined;
 }
 
 /// Metres a unit: as the file tells, where that gives something that is worn; else so that it has the usual size.
@@ -144,10 +176,16 @@ void fitIntoBox(sim::HeadMesh& mesh, glm::vec3 centre, glm::vec3 half)
 
 Checked<BroughtMesh> broughtMesh(const RiggedMesh& source, const QString& name)
 {
-    if (Checked<void> counts = checkCounts(source); !counts)
+    if (Checked<void> counts = checkCounts(source.positionsHd.size(), source.triangles.size()); !counts)
         return tl::unexpected(counts.error());
-    RiggedMesh mesh(static_cast<const sim::HeadMesh&>(source));
+    RiggedMesh mesh =
+        source.parts.empty() ? RiggedMesh(static_cast<const sim::HeadMesh&>(source)) : joinedByLook(source);
     mesh.marks.clear();
+    QRgb colour = source.parts.empty() ? ownSpec().colour : qRgb(255, 255, 255);
+    if (mesh.parts.size() == 1 && mesh.textures.empty()) { // Its colour can then be chosen freely.
+        colour = encoded(mesh.parts.front().colour);
+        mesh.parts.clear();
+    }
     if (source.told.up == ToldAxis::Z)
         for (auto* all : {&mesh.positionsHd, &mesh.normalsHd})
             for (glm::vec3& v : *all)
@@ -166,10 +204,12 @@ Checked<BroughtMesh> broughtMesh(const RiggedMesh& source, const QString& name)
     constexpr double kSolid = 0.3; // Of the ellipsoid; shells, rings and frames are less.
     if (filled < kInsideOut)
         turnInsideOut(mesh);
-    const QByteArray glb = glbFromMesh(mesh);
-    return BroughtMesh{.own = made(name.left(kLongestName), glb, std::move(mesh)),
+    const Checked<std::shared_ptr<const OwnMesh>> own = ownMeshFromGlb(name.left(kLongestName), glbFromMesh(mesh));
+    if (!own)
+        return tl::unexpected(own.error());
+    return BroughtMesh{.own = *own,
                        .semiAxesM = half * scaleOf(source.told, longest),
-                       .colour = colourOf(source),
+                       .colour = colour,
                        .passable = std::abs(filled) < kSolid};
 }
 
@@ -186,13 +226,39 @@ Worn wornFrom(const BroughtMesh& mesh, const sim::SurfacePoint& point, Id group)
 
 Checked<std::shared_ptr<const OwnMesh>> ownMeshFromGlb(const QString& name, const QByteArray& glb)
 {
-    Checked<sim::HeadMesh> mesh = meshFromGlb(glb);
-    if (!mesh)
-        return tl::unexpected(mesh.error());
-    if (Checked<void> counts = checkCounts(*mesh); !counts)
+    Checked<sim::HeadMesh> first = meshFromGlb(glb);
+    if (!first)
+        return tl::unexpected(first.error());
+    Checked<GlbParts> read = partsFromGlb(glb);
+    if (!read)
+        return tl::unexpected(read.error());
+    read->first.mesh = std::make_shared<const sim::HeadMesh>(std::move(*first));
+    auto own = std::make_shared<OwnMesh>();
+    own->name = name;
+    own->glb = glb;
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+    std::size_t pixels = 0;
+    std::set<const MeshTexture*> textures;
+    const auto add = [&](HeadPart part) {
+        vertices += part.mesh->positionsHd.size();
+        triangles += part.mesh->triangles.size();
+        if (part.texture != nullptr && textures.insert(part.texture.get()).second)
+            pixels += part.texture->rgba.size() / 4;
+        sim::HeadMesh mesh = *part.mesh;
+        fitIntoBox(mesh, glm::vec3(0.0F), glm::vec3(1.0F)); // Where it is, unless the file was made otherwise.
+        OwnSurface& surface = own->surfaces.emplace_back(std::move(part));
+        surface.mirrored = mirroredMesh(mesh);
+        surface.part.mesh = std::make_shared<const sim::HeadMesh>(std::move(mesh));
+    };
+    add(std::move(read->first));
+    for (HeadPart& part : read->parts)
+        add(std::move(part));
+    if (Checked<void> counts = checkCounts(vertices, triangles); !counts)
         return tl::unexpected(counts.error());
-    fitIntoBox(*mesh, glm::vec3(0.0F), glm::vec3(1.0F)); // Where it is, unless the file was made otherwise.
-    return made(name, glb, std::move(*mesh));
+    if (pixels > kMostOwnPixels)
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "its head's mesh is broken")));
+    return own;
 }
 
 Checked<void> readOwnMeshes(std::vector<Worn>& worn, const MeshReader& read)

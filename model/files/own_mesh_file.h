@@ -12,17 +12,18 @@
 
 namespace hairpaint::model {
 
-inline constexpr qint64 kMostOwnMeshBytes = qint64{16} << 20;
+inline constexpr qint64 kMostOwnMeshBytes = qint64{32} << 20;
 
 /// A mesh as a program brings it, ready to be put on.
 struct BroughtMesh
 {
     std::shared_ptr<const OwnMesh> own;
     glm::vec3 semiAxesM{0.0F}; ///< Half its extents; at the kind's usual size where the file's is none that is worn.
-    QRgb colour = 0;           ///< Colour of its largest part, with the mean of its texture.
+    QRgb colour = 0;           ///< Its colour where it has one material without texture, else white.
     bool passable = false;     ///< Whether it is much less than the ellipsoid in it, as glasses are.
 };
-/// Refuses what is too large or has no surface. Its parts become one, without textures and joints.
+/// Refuses what is too large or has no surface. Parts of one material become one, without joints; textures are made
+/// smaller until they have kMostOwnPixels.
 [[nodiscard]] Checked<BroughtMesh> broughtMesh(const RiggedMesh& source, const QString& name);
 /// A thing of the kind that has own meshes, on the skin there, without an id.
 [[nodiscard]] Worn wornFrom(const BroughtMesh& mesh, const sim::SurfacePoint& point, Id group);

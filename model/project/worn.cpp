@@ -100,16 +100,36 @@ QString wornText(const char* text)
     return QCoreApplication::translate("Worn", text);
 }
 
-std::shared_ptr<const sim::HeadMesh> wornMesh(const Worn& worn, const sim::Skin* skin)
+std::size_t surfaceCount(const Worn& worn)
 {
-    const WornSpec& spec = wornSpec(worn.kind);
     if (worn.ownMesh.isRead())
-        return worn.mirrored ? worn.ownMesh.own->mirrored : worn.ownMesh.own->mesh;
+        return worn.ownMesh.own->surfaces.size();
+    return wornSpec(worn.kind).drawn() ? 1 : 0;
+}
+
+std::vector<HeadPart> wornSurfaces(const Worn& worn, const sim::Skin* skin)
+{
+    std::vector<HeadPart> surfaces;
+    if (worn.ownMesh.isRead()) {
+        for (const OwnSurface& own : worn.ownMesh.own->surfaces) {
+            HeadPart& surface = surfaces.emplace_back(own.part);
+            surface.doubleSided = true; // It need not be closed.
+            if (worn.mirrored)
+                surface.mesh = own.mirrored;
+        }
+        return surfaces;
+    }
+    const WornSpec& spec = wornSpec(worn.kind);
+    if (!spec.drawn())
+        return surfaces;
+    const WornMake* make = makeOf(worn);
+    HeadPart& surface = surfaces.emplace_back();
+    surface.colour = glm::vec3(1.0F);
     if (spec.fitted != nullptr && skin != nullptr)
-        return spec.fitted(worn.shape, *skin);
-    if (const WornMake* make = makeOf(worn))
-        return make->mesh();
-    return spec.drawn() ? spec.mesh() : nullptr;
+        surface.mesh = spec.fitted(worn.shape, *skin);
+    else
+        surface.mesh = make != nullptr ? make->mesh() : spec.mesh();
+    return surfaces;
 }
 
 std::span<const HangingPart> hangingParts(const Worn& worn)

@@ -166,10 +166,12 @@ struct WornSpec
 [[nodiscard]] const WornSpec* wornOfPalette(int index);
 /// The other way round; the palette holds what is painted.
 [[nodiscard]] std::uint16_t paletteIndexOf(const WornSpec& spec);
-/// The mesh that is drawn, in the space of the unit ball (rendering::Solid). It is made once, but at each call for a
-/// kind that fits the head; without a skin it fits none. Null for a kind that is not drawn.
-[[nodiscard]] std::shared_ptr<const sim::HeadMesh> wornMesh(const Worn& worn, const sim::Skin* skin);
-/// The parts of that mesh that hang from it and may swing, where a file is for a program that lets them.
+/// How many meshes are drawn of it: 0 for a kind that is not drawn, one but for an own mesh of several materials.
+[[nodiscard]] std::size_t surfaceCount(const Worn& worn);
+/// These, in the space of the unit ball (rendering::Solid), with colours that are multiplied by Worn::colour. Each mesh
+/// is made once, but at each call for a kind that fits the head; without a skin it fits none.
+[[nodiscard]] std::vector<HeadPart> wornSurfaces(const Worn& worn, const sim::Skin* skin);
+/// The parts of the one mesh that hang from it and may swing, where a file is for a program that lets them.
 [[nodiscard]] std::span<const HangingPart> hangingParts(const Worn& worn);
 /// The tie that the groom has for the thing; none where it gathers no hair.
 [[nodiscard]] std::optional<sim::Tie> tieOf(const Worn& worn);

@@ -1,5 +1,6 @@
 // What comes in from other programs and goes out to them, by the window's menus and dialogs and dropped on it.
 #include "app/styles/library.h"
+#include "model/files/glb_writing.h"
 #include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
@@ -7,6 +8,7 @@
 #include "tests/app/exchange_fixture.h"
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"
+#include "tests/support/character.h"
 #include "tests/support/file_faults.h"
 #include "tests/support/foreign_heads.h"
 #include "tests/support/locations.h"
@@ -229,6 +231,31 @@ private Q_SLOTS:
         trigger("hair.addMesh");
         QCOMPARE(m_answers->said.size(), 1);
         QVERIFY(session().document().committed().worn == before);
+    }
+
+    /// A glTF of six parts in five materials, two of them with a texture, read by the helper.
+    void aMeshIsPutOnWithItsMaterials()
+    {
+        open(test::smallProject());
+        const model::RiggedMesh character = test::makeCharacter();
+        QFile file(path("figure.glb"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(model::glbFromMesh(character));
+        file.close();
+        m_answers->file = file.fileName();
+        trigger("hair.addMesh");
+        QCOMPARE(m_answers->said, QStringList());
+        const model::Worn* worn = session().document().committed().wornThing(editor().options().chosenWorn());
+        QVERIFY(worn != nullptr && worn->ownMesh.isRead());
+        const std::vector<model::HeadPart> surfaces = wornSurfaces(*worn, nullptr);
+        QCOMPARE(surfaces.size(), std::size_t{5});
+        std::vector<const sim::MeshTexture*> shown;
+        for (const model::HeadPart& surface : surfaces)
+            if (surface.texture)
+                shown.push_back(surface.texture.get());
+        QCOMPARE(shown.size(), std::size_t{2});
+        QVERIFY(*shown[0] == character.textures[0] && *shown[1] == character.textures[1]);
+        QCOMPARE(m_window->headView().pictureScene().solids.size(), std::size_t{5});
     }
 
     void cancelEndsASilentHelper_data()

@@ -220,16 +220,22 @@ private Q_SLOTS:
     void anOwnMeshIsHeldByTheHeadBone()
     {
         const auto mesh = std::make_shared<const sim::HeadMesh>(test::makeBallHead(8, 1.0F));
+        OwnSurface surface{.part = {}, .mirrored = mesh};
+        surface.part.colour = glm::vec3(1.0F);
+        surface.part.mesh = mesh;
+        OwnSurface textured = surface;
+        textured.part.texture = std::make_shared<const sim::MeshTexture>(
+            sim::MeshTexture{.width = 1, .height = 1, .rgba = {255, 0, 0, 255}});
         Worn worn = bead();
         worn.kind = WornKind::Mesh;
         worn.colour = 0xFF00FF00;
         worn.ownMesh.own = std::make_shared<const OwnMesh>(
-            OwnMesh{.name = QStringLiteral("hat"), .entry = 0, .glb = "x", .mesh = mesh, .mirrored = mesh});
+            OwnMesh{.name = QStringLiteral("hat"), .entry = 0, .glb = "x", .surfaces = {surface, textured}});
         const QJsonObject json =
             exported(frameOf({hairGroup(1, 30'000, 65535, 0)}), mannequinAvatar(), {std::move(worn)});
         const QJsonArray nodes = json[QLatin1String("nodes")].toArray();
         const auto node = std::ranges::find_if(nodes, [](const QJsonValue& one) {
-            return one[QLatin1String("name")].toString() == QLatin1String("Worn mesh 9");
+            return one[QLatin1String("name")].toString() == QLatin1String("Worn mesh 9 part 1");
         });
         QVERIFY(node != nodes.end());
         const QJsonValue skin = json[QLatin1String("skins")][(*node)[QLatin1String("skin")].toInt()];
@@ -243,6 +249,14 @@ private Q_SLOTS:
         QVERIFY(material[QLatin1String("doubleSided")].toBool());
         const QJsonValue factor = material[QLatin1String("pbrMetallicRoughness")][QLatin1String("baseColorFactor")];
         QVERIFY(factor[0].toDouble() < 0.01 && factor[1].toDouble() > 0.99);
+        QVERIFY(material[QLatin1String("pbrMetallicRoughness")][QLatin1String("baseColorTexture")].isUndefined());
+        // Its other part shows its picture, which is the file's last.
+        const QJsonValue other = json[QLatin1String("materials")].toArray().last();
+        QCOMPARE(other[QLatin1String("name")].toString(), QStringLiteral("Worn mesh 9 part 2"));
+        const QJsonArray textures = json[QLatin1String("textures")].toArray();
+        QCOMPARE(other[QLatin1String("pbrMetallicRoughness")][QLatin1String("baseColorTexture")][QLatin1String("index")]
+                     .toInt(),
+                 static_cast<int>(textures.size()) - 1);
     }
 
     void aBaldAvatarIsOneToo()

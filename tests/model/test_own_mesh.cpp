@@ -18,12 +18,14 @@
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
 
+#include <QImage>
 #include <QTemporaryDir>
 #include <QUndoStack>
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -55,9 +57,45 @@ BroughtMesh brought(const RiggedMesh& mesh, const QString& name = QStringLiteral
     return broughtMesh(mesh, name).value();
 }
 
+const sim::HeadMesh& meshOf(const BroughtMesh& brought)
+{
+    return *brought.own->surfaces.front().part.mesh;
+}
+
+const sim::HeadMesh& meshOf(const Worn& worn)
+{
+    return *worn.ownMesh.own->surfaces.front().part.mesh;
+}
+
 bool isNear(const glm::vec3& a, const glm::vec3& b)
 {
     return glm::distance(a, b) < 1e-4F;
+}
+
+/// Three eggs in a row, along x: red; with a texture that is blue on one half and holed on the other; red again.
+RiggedMesh threeEggs()
+{
+    RiggedMesh mesh;
+    for (int i = 0; i < 3; ++i) {
+        const RiggedMesh one = egg(0.01F);
+        const auto first = static_cast<std::uint32_t>(mesh.positionsHd.size());
+        for (std::size_t v = 0; v < one.positionsHd.size(); ++v) {
+            mesh.positionsHd.push_back(one.positionsHd[v] + glm::vec3(0.03F * static_cast<float>(i), 0.0F, 0.0F));
+            mesh.normalsHd.push_back(one.normalsHd[v]);
+            mesh.uvs.push_back(one.uvs[v]);
+        }
+        for (const glm::uvec3& triangle : one.triangles)
+            mesh.triangles.push_back(triangle + first);
+        mesh.parts.push_back(one.parts.front());
+        mesh.parts.back().name = "egg " + std::to_string(i);
+    }
+    mesh.parts[1].colour = glm::vec3(0.5F);
+    mesh.parts[1].texture = 1;
+    mesh.parts[1].alpha = PartAlpha::Mask;
+    mesh.textures.resize(2); // The first is nobody's.
+    for (MeshTexture& texture : mesh.textures)
+        texture = {.width = 2, .height = 1, .rgba = {0, 0, 255, 255, 9, 8, 7, 0}};
+    return mesh;
 }
 
 /// A sample whose group 0 wears the egg.
@@ -112,9 +150,9 @@ private Q_SLOTS:
         glm::vec3 least(9.0F);
         glm::vec3 greatest(-9.0F);
         for (std::size_t i = 0; i < mesh.positionsHd.size(); ++i) {
-            least = glm::min(least, one.own->mesh->positionsHd[i]);
-            greatest = glm::max(greatest, one.own->mesh->positionsHd[i]);
-            QVERIFY(isNear(glm::normalize(one.own->mesh->normalsHd[i] / one.semiAxesM), mesh.normalsHd[i]));
+            least = glm::min(least, meshOf(one).positionsHd[i]);
+            greatest = glm::max(greatest, meshOf(one).positionsHd[i]);
+            QVERIFY(isNear(glm::normalize(meshOf(one).normalsHd[i] / one.semiAxesM), mesh.normalsHd[i]));
         }
         QVERIFY(isNear(least, glm::vec3(-1.0F)) && isNear(greatest, glm::vec3(1.0F)));
         QCOMPARE(one.colour, qRgb(255, 0, 0));
@@ -137,8 +175,8 @@ private Q_SLOTS:
         for (glm::vec3& normal : mesh.normalsHd)
             normal = -normal;
         const BroughtMesh turned = brought(mesh);
-        QVERIFY(turned.own->mesh->triangles == right.own->mesh->triangles);
-        QVERIFY(turned.own->mesh->normalsHd == right.own->mesh->normalsHd);
+        QVERIFY(meshOf(turned).triangles == meshOf(right).triangles);
+        QVERIFY(meshOf(turned).normalsHd == meshOf(right).normalsHd);
     }
 
     /// A plate is passable, so a hat does not throw the hair off the head; what is solid keeps hair out.
@@ -169,6 +207,62 @@ private Q_SLOTS:
         QVERIFY(!broughtMesh(line, QStringLiteral("point")));
         // Nor is one taken from a file.
         QVERIFY(!ownMeshFromGlb(QStringLiteral("x"), QByteArrayLiteral("glTF")));
+    }
+
+    /// Parts of one material become one; the others keep theirs, in files as well.
+    void itKeepsItsMaterials()
+    {
+        const RiggedMesh source = threeEggs();
+        const BroughtMesh one = brought(source);
+        QCOMPARE(one.colour, qRgb(255, 255, 255));
+        QCOMPARE(one.own->surfaces.size(), std::size_t{2});
+        const HeadPart& red = one.own->surfaces[0].part;
+        const HeadPart& textured = one.own->surfaces[1].part;
+        QCOMPARE(red.mesh->triangles.size(), 2 * egg().triangles.size());
+        QCOMPARE(textured.mesh->triangles.size(), egg().triangles.size());
+        QVERIFY(red.texture == nullptr && red.colour == glm::vec3(1.0F, 0.0F, 0.0F));
+        QVERIFY(textured.texture != nullptr && textured.colour == glm::vec3(0.5F));
+        QVERIFY(*textured.texture == source.textures[1] && textured.alpha == PartAlpha::Mask);
+        QVERIFY(textured.mesh->uvs == egg().uvs);
+        for (const glm::vec3& position : textured.mesh->positionsHd)
+            QVERIFY(std::abs(position.x) < 0.26F); // Between the others.
+
+        Project project = test::makeSampleProject();
+        Worn worn = wornFrom(one, {}, project.groups.front().id);
+        worn.id = project.takeId();
+        worn.colour = qRgb(250, 240, 230);
+        insertWorn(project.worn, worn);
+        QVERIFY(saveProject(project, path("three.hairpaint"), {}));
+        const Result<Project> read = loadProject(path("three.hairpaint"));
+        QVERIFY(read && read->worn == project.worn);
+        QVERIFY(*wornSurfaces(eggOf(read->worn), nullptr)[1].texture == source.textures[1]);
+        QVERIFY(saveProject(*read, path("again.hairpaint"), {}));
+        QCOMPARE(test::readBytes(path("again.hairpaint")), test::readBytes(path("three.hairpaint")));
+        worn.mirrored = true;
+        const std::vector<HeadPart> mirrored = wornSurfaces(worn, nullptr);
+        QCOMPARE(mirrored.size(), surfaceCount(worn));
+        QCOMPARE(mirrored[0].mesh->positionsHd[5].x, -red.mesh->positionsHd[5].x);
+    }
+
+    /// One material without texture is the thing's colour, as in older files.
+    void aMeshOfOneColourHasNoMaterialOfItsOwn()
+    {
+        const BroughtMesh one = brought(egg());
+        QCOMPARE(one.own->surfaces.size(), std::size_t{1});
+        QVERIFY(one.own->surfaces.front().part.colour == glm::vec3(1.0F));
+        QVERIFY(!one.own->glb.contains("materials"));
+    }
+
+    void itsTexturesAreMadeSmallerUntilTheyFit()
+    {
+        RiggedMesh mesh = threeEggs();
+        MeshTexture& large = mesh.textures[1];
+        large = {.width = 4096, .height = 2048, .rgba = std::vector<std::uint8_t>(std::size_t{4096} * 2048 * 4, 77)};
+        const BroughtMesh one = brought(mesh);
+        const MeshTexture& kept = *one.own->surfaces[1].part.texture;
+        QCOMPARE(kept.width, 2048U);
+        QCOMPARE(kept.height, 1024U);
+        QVERIFY(std::ranges::all_of(kept.rgba, [](std::uint8_t value) { return value == 77; }));
     }
 
     /// Upright on the crown; at the side it looks outward.
@@ -208,7 +302,7 @@ private Q_SLOTS:
         QVERIFY(read->worn == project.worn);
         const Worn& egg = eggOf(read->worn);
         QVERIFY(egg.ownMesh.isRead() && egg.ownMesh.own == read->worn.back().ownMesh.own);
-        QVERIFY(egg.ownMesh.own->mesh->triangles == eggOf(project.worn).ownMesh.own->mesh->triangles);
+        QVERIFY(meshOf(egg).triangles == meshOf(eggOf(project.worn)).triangles);
         QVERIFY(saveProject(*read, path("again.hairpaint"), {}));
         QCOMPARE(test::readBytes(path("again.hairpaint")), bytes);
         // In a style, too.
@@ -283,7 +377,8 @@ private Q_SLOTS:
                 for (std::size_t i = 0; i < 20; ++i) {
                     const auto placed = [i](const Worn& one) {
                         return one.shape.centreHd +
-                               one.shape.rotation * (wornMesh(one, nullptr)->positionsHd[i] * one.shape.semiAxesM);
+                               one.shape.rotation *
+                                   (wornSurfaces(one, nullptr).front().mesh->positionsHd[i] * one.shape.semiAxesM);
                     };
                     QVERIFY(isNear(placed(other), placed(worn) * glm::vec3(-1.0F, 1.0F, 1.0F)));
                 }
@@ -294,6 +389,71 @@ private Q_SLOTS:
             document.undo();
             QVERIFY(test::sameProjects(document.committed(), before));
         }
+    }
+
+    void itsMaterialsGoOutWithTheHair()
+    {
+        Worn worn = wornFrom(brought(threeEggs()), {}, 0);
+        worn.id = 5;
+        const auto frame = test::frameOf({test::hairGroup(1, 20'000, 65535, 0)});
+        const auto written = [&](const char* name, const char* target) {
+            const Result<void> done = exportHair(frame,
+                                                 {.format = findExportFormat(path(name)),
+                                                  .target = findExportTarget(QLatin1StringView(target)),
+                                                  .curves = test::allOf(*frame),
+                                                  .worn = {worn}},
+                                                 path(name));
+            return done ? test::readBytes(path(name)) : QByteArray();
+        };
+        const QJsonObject json = test::jsonOf(written("parts.glb", "any"));
+        const QJsonArray meshes = json[QLatin1String("meshes")].toArray();
+        QCOMPARE(meshes.last()[QLatin1String("name")].toString(), QStringLiteral("Worn mesh 5 part 2"));
+        const auto materialOf = [&](const QJsonValue& mesh) {
+            return json[QLatin1String("materials")]
+                       [mesh[QLatin1String("primitives")][0][QLatin1String("material")].toInt()];
+        };
+        const QJsonValue red = materialOf(meshes[meshes.size() - 2])[QLatin1String("pbrMetallicRoughness")];
+        QVERIFY(red[QLatin1String("baseColorFactor")][0].toDouble() > 0.999);
+        QCOMPARE(red[QLatin1String("baseColorFactor")][1].toDouble(), 0.0);
+        QVERIFY(red[QLatin1String("baseColorTexture")].isUndefined());
+        const QJsonValue textured = materialOf(meshes.last());
+        QCOMPARE(textured[QLatin1String("alphaMode")].toString(), QStringLiteral("MASK"));
+        QVERIFY(textured[QLatin1String("doubleSided")].toBool());
+        const QJsonValue texture =
+            json[QLatin1String("textures")][textured[QLatin1String("pbrMetallicRoughness")]
+                                                    [QLatin1String("baseColorTexture")][QLatin1String("index")]
+                                                        .toInt(-1)];
+        const QJsonValue image = json[QLatin1String("images")][texture[QLatin1String("source")].toInt(-1)];
+        const QJsonValue view = json[QLatin1String("bufferViews")][image[QLatin1String("bufferView")].toInt(-1)];
+        const QByteArray file = test::readBytes(path("parts.glb"));
+        const qsizetype bin = file.size() - json[QLatin1String("buffers")][0][QLatin1String("byteLength")].toInteger();
+        const QImage shown = QImage::fromData(file.mid(bin + view[QLatin1String("byteOffset")].toInteger(),
+                                                       view[QLatin1String("byteLength")].toInteger()));
+        QCOMPARE(shown.size(), QSize(2, 1));
+        QCOMPARE(shown.pixel(0, 0), qRgba(0, 0, 255, 255));
+        QCOMPARE(qAlpha(shown.pixel(1, 0)), 0);
+
+        QVERIFY(written("parts.obj", "any").contains("o Worn_mesh_5_part_2\n"));
+        const QByteArray materials = test::readBytes(path("parts.mtl"));
+        QVERIFY(materials.contains("newmtl Worn_mesh_5_part_1\nKd 1 0 0\n"));
+        QVERIFY(materials.contains("map_Kd parts-worn-1.png\n") && materials.contains("map_d parts-worn-1.png\n"));
+        QCOMPARE(QImage(path("parts-worn-1.png")).pixel(0, 0), qRgba(0, 0, 255, 255));
+        // Vertices have one colour for a texture: its mean where it is seen, here half of a blue.
+        QVERIFY(test::readBytes(path("parts.obj")).contains(" 0 0 0.737"));
+
+        const QByteArray usd = written("parts.usda", "any");
+        QVERIFY(usd.contains("asset inputs:file = @@@./parts-worn-1.png@@@"));
+        QVERIFY(usd.contains("float inputs:opacityThreshold = 0.5"));
+        QVERIFY(usd.contains("diffuseColor.connect = </Hair/Worn_mesh_5_part_2/Material/Picture.outputs:rgb>"));
+        QVERIFY(usd.contains("color3f inputs:diffuseColor = (1,0,0)"));
+        const QByteArray packed = written("parts.usdz", "any");
+        const std::vector<test::EntrySpan> entries = test::spansOf(packed);
+        QCOMPARE(entries.size(), std::size_t{2});
+        QCOMPARE(entries[0].name, QStringLiteral("hair.usda"));
+        QCOMPARE(entries[1].name, QStringLiteral("hair-worn-1.png"));
+        const qsizetype png = packed.indexOf("\x89PNG");
+        QCOMPARE(png % 64, qsizetype{0});
+        QCOMPARE(QImage::fromData(packed.mid(png)).size(), QSize(2, 1));
     }
 
     void itGoesOutWithTheHair()

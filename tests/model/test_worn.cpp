@@ -128,7 +128,7 @@ private Q_SLOTS:
         const sim::Skin skin(test::makeBallHead());
         for (const glm::vec2 uv : {glm::vec2(0.5F, 0.98F), glm::vec2(0.5F, 0.8F), glm::vec2(0.3F, 0.6F)}) {
             const Worn band = makeWorn(wornSpec(WornKind::Headband), *skin.atUv(uv));
-            const std::shared_ptr<const sim::HeadMesh> mesh = wornMesh(band, &skin);
+            const std::shared_ptr<const sim::HeadMesh> mesh = wornSurfaces(band, &skin).front().mesh;
             checkBody(*mesh, wornSpec(WornKind::Headband).reach);
             for (const glm::vec3& position : mesh->positionsHd) {
                 const glm::vec3 onHead = band.shape.centreHd + band.shape.rotation * (position * band.shape.semiAxesM);

@@ -158,7 +158,7 @@ private Q_SLOTS:
     void whatIsDrawnGoesOutWithTheHair()
     {
         const Worn ball = onTopOfAll(WornKind::Ball, 7);
-        const std::size_t faces = wornMesh(ball, nullptr)->triangles.size();
+        const std::size_t faces = wornSurfaces(ball, nullptr).front().mesh->triangles.size();
         QTemporaryDir folder;
         const auto frame = test::frameOf({test::hairGroup(1, 20'000, 65535, 0)});
         const auto write = [&](const QString& name) {
@@ -190,7 +190,7 @@ private Q_SLOTS:
         // its own alone.
         const qsizetype vertices = obj.count(QLatin1String("\nv "));
         const qsizetype own = object.count(QLatin1String("\nvn "));
-        QCOMPARE(own, static_cast<qsizetype>(wornMesh(ball, nullptr)->positionsHd.size()));
+        QCOMPARE(own, static_cast<qsizetype>(wornSurfaces(ball, nullptr).front().mesh->positionsHd.size()));
         QVERIFY(object.contains(QStringLiteral(" %1/%2/%2").arg(vertices).arg(own)));
         QVERIFY(!object.contains(QStringLiteral(" %1/").arg(vertices + 1)));
         for (const QString& line : object.split(QLatin1Char('\n'))) {

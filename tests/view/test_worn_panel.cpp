@@ -1,5 +1,6 @@
 // The look of what is worn, set in the panel.
 #include "model/document/scene_commands.h"
+#include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
 #include "tests/view/panel_fixture.h"
 #include "view/head_area/scene_light.h"
@@ -126,6 +127,33 @@ private Q_SLOTS:
         if (isKept)
             f.document.undo();
         QVERIFY(f.document.committed().worn == before);
+    }
+
+    /// A solid for each of its materials, all of them in its colour.
+    void anOwnMeshIsDrawnInItsMaterials()
+    {
+        auto texture = std::make_shared<const sim::MeshTexture>(
+            sim::MeshTexture{.width = 1, .height = 1, .rgba = {255, 0, 0, 255}});
+        auto own = std::make_shared<model::OwnMesh>();
+        own->glb = "x";
+        for (const bool isMasked : {false, true}) {
+            model::OwnSurface& surface = own->surfaces.emplace_back();
+            surface.part.mesh = std::make_shared<const sim::HeadMesh>(test::makeBallHead(8, 1.0F));
+            surface.mirrored = surface.part.mesh;
+            surface.part.colour = glm::vec3(1.0F, 0.5F, 0.25F);
+            surface.part.texture = isMasked ? texture : nullptr;
+            surface.part.alpha = isMasked ? sim::TextureAlpha::Blend : sim::TextureAlpha::Opaque;
+        }
+        std::vector<model::Worn> worn{{.kind = model::WornKind::Mesh, .colour = qRgb(0, 255, 255), .sheen = 0.3F}};
+        worn.front().ownMesh.own = own;
+        const std::vector<rendering::Solid> solids = sceneSolids(worn, nullptr);
+        QCOMPARE(solids.size(), surfaceCount(worn.front()));
+        for (std::size_t i = 0; i < solids.size(); ++i) {
+            QVERIFY(solids[i].mesh == own->surfaces[i].part.mesh && solids[i].shape == worn.front().shape);
+            QVERIFY(glm::distance(solids[i].colour, glm::vec3(0.0F, 0.5F, 0.25F)) < 1e-5F);
+            QVERIFY(solids[i].sheen == 0.3F && solids[i].open);
+            QVERIFY(solids[i].texture == own->surfaces[i].part.texture && solids[i].masked == (i == 1));
+        }
     }
 
     void hairGoesThroughAnOwnMeshThatSaysSo()

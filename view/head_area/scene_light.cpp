@@ -48,17 +48,23 @@ std::vector<rendering::Solid> sceneSolids(const std::vector<model::Worn>& worn, 
 {
     std::vector<rendering::Solid> solids;
     for (const model::Worn& one : worn) {
-        const model::WornSpec& spec = wornSpec(one.kind);
-        if (!spec.drawn())
-            continue;
-        rendering::Solid& solid = solids.emplace_back();
-        solid.shape = one.shape;
+        rendering::Solid solid{.mesh = {}, .shape = one.shape, .sheen = one.sheen, .open = false};
         solid.shape.rotation = glm::normalize(one.shape.rotation); // A file may hold one of another length.
         const auto same = std::ranges::find(before, solid.shape, &rendering::Solid::shape);
-        solid.mesh = spec.fitted != nullptr && same != before.end() ? same->mesh : wornMesh(one, skin);
-        solid.colour = linearColour(one.colour);
-        solid.sheen = one.sheen;
-        solid.open = one.ownMesh.isRead();
+        if (wornSpec(one.kind).fitted != nullptr && same != before.end()) {
+            solid.mesh = same->mesh;
+            solid.colour = linearColour(one.colour);
+            solids.push_back(std::move(solid));
+            continue;
+        }
+        for (model::HeadPart& surface : wornSurfaces(one, skin)) {
+            solid.mesh = std::move(surface.mesh);
+            solid.colour = linearColour(one.colour) * surface.colour;
+            solid.open = surface.doubleSided;
+            solid.masked = surface.texture && surface.alpha != sim::TextureAlpha::Opaque;
+            solid.texture = std::move(surface.texture);
+            solids.push_back(solid);
+        }
     }
     return solids;
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace hairpaint::view {
 
@@ -110,17 +111,23 @@ model::Id WornDrag::bodyAt(QPointF position) const
     const std::optional<sim::SurfacePoint> skin = m_scene.skinAt(position);
     float nearestM = skin ? glm::distance(ray.originHd, skin->positionHd) : std::numeric_limits<float>::max();
     model::Id nearest = 0;
-    std::size_t drawn = 0;
+    std::span<const rendering::Solid> solids = m_scene.solids();
     for (const model::Worn& worn : all) {
         const model::WornSpec& spec = wornSpec(worn.kind);
         if (!spec.drawn())
             continue;
-        const std::size_t solid = drawn++;
+        const std::span<const rendering::Solid> own = solids.first(std::min(surfaceCount(worn), solids.size()));
+        solids = solids.subspan(own.size());
         sim::Ellipsoid around = worn.shape;
         around.semiAxesM *= spec.reach;
         std::optional<float> entryM = entryAlong(ray, around);
-        if (entryM && spec.stands && solid < m_scene.solids().size())
-            entryM = meetingAlong(ray, worn.shape, *m_scene.solids()[solid].mesh, m_scene.solids()[solid].open);
+        if (entryM && spec.stands && !own.empty()) {
+            entryM.reset();
+            for (const rendering::Solid& solid : own)
+                if (const auto meetsM = meetingAlong(ray, worn.shape, *solid.mesh, solid.open);
+                    meetsM && (!entryM || *meetsM < *entryM))
+                    entryM = meetsM;
+        }
         if (entryM && *entryM < nearestM) {
             nearestM = *entryM;
             nearest = worn.id;
