@@ -44,6 +44,17 @@ std::optional<float> alongLine(glm::vec3 from, glm::vec3 unit, const sim::RayHd&
     return (cosine * glm::dot(ray.directionHd, between) - glm::dot(unit, between)) / sine2;
 }
 
+/// Where the ray first meets one of a thing's surfaces, m from its origin.
+std::optional<float> firstMeeting(const sim::RayHd& ray, const sim::Ellipsoid& shape,
+                                  std::span<const rendering::Solid> surfaces)
+{
+    constexpr float kNone = std::numeric_limits<float>::max();
+    float firstM = kNone;
+    for (const rendering::Solid& solid : surfaces)
+        firstM = std::min(firstM, meetingAlong(ray, shape, *solid.mesh, solid.open).value_or(kNone));
+    return firstM < kNone ? std::optional(firstM) : std::nullopt;
+}
+
 } // namespace
 
 std::vector<model::Worn> outlinedWorn(const EditorState& editor)
@@ -121,13 +132,8 @@ model::Id WornDrag::bodyAt(QPointF position) const
         sim::Ellipsoid around = worn.shape;
         around.semiAxesM *= spec.reach;
         std::optional<float> entryM = entryAlong(ray, around);
-        if (entryM && spec.stands && !own.empty()) {
-            entryM.reset();
-            for (const rendering::Solid& solid : own)
-                if (const auto meetsM = meetingAlong(ray, worn.shape, *solid.mesh, solid.open);
-                    meetsM && (!entryM || *meetsM < *entryM))
-                    entryM = meetsM;
-        }
+        if (entryM && spec.stands && !own.empty())
+            entryM = firstMeeting(ray, worn.shape, own);
         if (entryM && *entryM < nearestM) {
             nearestM = *entryM;
             nearest = worn.id;
