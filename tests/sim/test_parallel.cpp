@@ -1,5 +1,7 @@
 // Parallel loops cover the whole range once, on as many threads as were asked for.
 #include "sim/base/parallel.h"
+
+#include "sim/base/per_thread.h"
 #include "tests/support/await.h"
 #include "tests/support/test_program.h"
 
@@ -24,6 +26,7 @@ private Q_SLOTS:
     void eightThreadsAreEightOnAnyMachine();
     void theCountIsKeptWithinItsRange();
     void loopsMayBeNested();
+    void eachThreadHasItsOwn();
     void aLoopOfTheWindowWaitsForNoOther_data();
     void aLoopOfTheWindowWaitsForNoOther();
     void whatABodyThrowsComesOutOfTheLoop_data();
@@ -156,6 +159,18 @@ void TestParallel::whatABodyThrowsComesOutOfTheLoop()
     std::atomic<std::size_t> done{0};
     parallelFor(100, 1, [&](std::size_t begin, std::size_t end) { done += end - begin; });
     QCOMPARE(done.load(), std::size_t{100});
+}
+
+void TestParallel::eachThreadHasItsOwn()
+{
+    PerThread<std::vector<int>> numbers;
+    numbers.here().push_back(1);
+    std::thread([&numbers] {
+        QVERIFY(numbers.here().empty());
+        numbers.here().assign(3, 2);
+        QCOMPARE(numbers.here().size(), std::size_t{3});
+    }).join();
+    QCOMPARE(numbers.here(), std::vector<int>{1});
 }
 
 HAIRPAINT_TEST(TestParallel, None)
