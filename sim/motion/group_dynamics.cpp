@@ -18,7 +18,6 @@ namespace {
 constexpr std::size_t kBlocksAtOnce = 16;
 constexpr int kSettleSteps = 84; ///< 0.7 s
 constexpr float kSettleDamping = 5.0F;
-constexpr float kHeldFully = 0.05F; ///< Hold at which a hanging strand is half in its styled shape.
 
 /// By how much the edges of one shape point elsewhere than those of the other: 0 within 30 degrees, 1 from 70.
 float turnBetween(std::span<const glm::vec3> before, std::span<const glm::vec3> after)
@@ -123,10 +122,24 @@ void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderS
         m_body = std::make_unique<HairBody>();
     if (m_body)
         m_body->setGroom(*m_groom);
+    setBraids();
     const bool otherCoat = otherColliders || otherGains || before.roots != m_groom->roots;
     m_dependents.prepare(*m_groom, m_colliders, otherCoat);
     m_gathered.setGroom(*m_groom, m_colliders, calm);
     rouse();
+}
+
+void GroupDynamics::setBraids()
+{
+    const std::vector<float>& girths = (*m_groom->basis)[BasisQuantity::Girth];
+    // One has nothing to keep off.
+    if (std::ranges::count_if(girths, [](float girthM) { return girthM > 0.0F; }) < 2) {
+        m_braids.reset();
+        return;
+    }
+    if (!m_braids)
+        m_braids = std::make_unique<BraidContact>();
+    m_braids->setGroom(*m_groom);
 }
 
 std::vector<std::size_t> GroupDynamics::takeStrands(const Groom& before, std::span<const std::int32_t> origin,
@@ -200,11 +213,10 @@ void GroupDynamics::hang(const StrandState& state, std::size_t strand, std::span
     std::array<float, kMaxColliders> scales{};
     for (int c = 0; c < m_colliders.count; ++c)
         scales[static_cast<std::size_t>(c)] = std::sqrt(state.field(strand, kScale + c));
-    const float hold = state.field(strand, kHold);
     const HangingStrand wanted{.segmentM = state.field(strand, kSegmentLength),
                                .stiffnessM = m_groom->settings.physics.stiffnessM,
                                .girthM = state.field(strand, kGirth),
-                               .styled = std::min(hold / (kHeldFully + hold), 1.0F),
+                               .styled = styledFraction(state.field(strand, kHold)),
                                .downHd = downHd};
     hangStrand(nodesHd, restHd, wanted, m_colliders, scales);
 }
@@ -266,6 +278,8 @@ void GroupDynamics::reset()
     });
     if (m_body)
         m_body->forget();
+    if (m_braids)
+        m_braids->forget();
     if (m_gathered.tails() != nullptr)
         m_gathered.tails()->reset();
     rouse();
@@ -283,6 +297,8 @@ void GroupDynamics::hangAnew(const StepForces& calm)
     settle(wanted, calm);
     if (m_body)
         m_body->forget();
+    if (m_braids)
+        m_braids->forget();
     if (m_gathered.tails() != nullptr)
         m_gathered.tails()->hangAnew(calm);
     rouse();
@@ -341,10 +357,18 @@ void GroupDynamics::step(std::span<const StepForces> steps)
     SolverBlocks blocks = m_state.view(m_groom->basis->restPositions.data());
     for (std::span<const StepForces> left = steps; !left.empty();) {
         std::size_t count = left.size();
+        if (m_body || m_braids)
+            count = calmDown(left);
+        if (m_braids)
+            count = m_braids->meet(m_state, count);
         if (m_body) {
-            count = m_body->meet(m_state, calmDown(left));
+            count = m_body->meet(m_state, count);
             blocks.contact = m_body->contact();
             blocks.dense = m_body->dense();
+        }
+        if (m_braids) {
+            blocks.braids = m_braids->planes();
+            m_braids->pass(count);
         }
         parallelFor(m_state.blocks, kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
             stepBlocks(blocks, m_gains, m_colliders, left.first(count), m_state.present, begin, end);

@@ -4,6 +4,7 @@
 #include "sim/motion/dependents.h"
 #include "sim/motion/gathered_hair.h"
 #include "sim/motion/strand_frame.h"
+#include "sim/solver/braid_contact.h"
 #include "sim/solver/hair_body.h"
 #include "sim/solver/strand_state.h"
 
@@ -41,10 +42,13 @@ public:
     [[nodiscard]] const StrandState& state() const { return m_state; }
     /// What keeps hair out of hair; null where the group has no body.
     [[nodiscard]] const HairBody* body() const { return m_body.get(); }
+    /// What keeps braids off each other; null where there are none.
+    [[nodiscard]] const BraidContact* braids() const { return m_braids.get(); }
     /// The hair behind ties; null where none is gathered.
     [[nodiscard]] const GroupDynamics* tails() const { return m_gathered.tails(); }
 
 private:
+    void setBraids();
     [[nodiscard]] std::vector<std::size_t> takeStrands(const Groom& before, std::span<const std::int32_t> origin,
                                                        const StrandState& old, glm::vec3 downHd);
     void reshape(const Groom& before, std::size_t was, std::size_t strand, glm::vec3 downHd);
@@ -63,6 +67,7 @@ private:
     float m_drag = 1.0F; ///< m_gains.drag where the hair was not calm for long.
     StrandState m_state;
     std::unique_ptr<HairBody> m_body;
+    std::unique_ptr<BraidContact> m_braids;
     mutable Dependents m_dependents; ///< Its buffers are reused from frame to frame.
     GatheredHair m_gathered;
     std::size_t m_calmSteps = 0; ///< Since something else than gravity moved the hair.

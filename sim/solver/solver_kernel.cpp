@@ -25,15 +25,24 @@ void StepBlocks(const SolverBlocks& blocks, const GroupGains& gains, const Colli
             float* const lanes = blocks.lanes + block * blocks.laneRows * kLanes + lane;
             const float* const contact =
                 blocks.contact != nullptr && blocks.dense[block] != 0 ? blocks.contact + at : nullptr;
+            const std::int32_t row = blocks.braids.rowOfBlock != nullptr ? blocks.braids.rowOfBlock[block] : -1;
+            BraidRows braids;
+            if (row >= 0) {
+                const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(gains.nodes);
+                braids = {.rows = blocks.braids.rows + first * kBraidRows * kLanes + lane,
+                          .counts = blocks.braids.counts + first,
+                          .stepsOn = blocks.braids.stepsDone};
+            }
             // All steps while the strands are in the cache.
             auto read = static_cast<std::size_t>(from);
             for (const StepForces& step : steps) {
+                ++braids.stepsOn;
                 // Asleep for two steps: both positions are the same, and nothing needs to be written.
                 if (!asleep(lanes, step.windy ? kUnwanted : kStillSteps + 2.0F))
                     stepStrands(gains, colliders, step,
                                 {blocks.rest + at, blocks.positions[read] + at, blocks.positions[1 - read] + at,
                                  blocks.previous + at, lanes, scratch, contact, blocks.contact != nullptr,
-                                 any(loaded(lanes + kRecoil * kLanes) > 0.0F)});
+                                 any(loaded(lanes + kRecoil * kLanes) > 0.0F), braids});
                 read = 1 - read;
             }
             if (!asleep(lanes, kStillSteps + 2.0F))

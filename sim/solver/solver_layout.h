@@ -118,6 +118,19 @@ struct GroupGains
     std::array<float, kMostNodes> waveACos{}, waveASin{}, waveBCos{}, waveBSin{}; ///< Turbulence along the strand.
 };
 
+inline constexpr int kBraidPlanes = 4; ///< Other braids that a node keeps off at once.
+inline constexpr int kBraidRows = 3 + 4 * kBraidPlanes;
+
+/// Half spaces that nodes of braids stay in, see BraidContact. They hold p where dot(n, p) >= d + steps * dot(n, v); those
+/// of a lane without any have n and d 0.
+struct BraidPlanes
+{
+    const std::int32_t* rowOfBlock = nullptr; ///< [blocks], -1 where no strand is a braid; null without braids.
+    const float* rows = nullptr;              ///< [rows][nodes][kBraidRows][kLanes]: v, then n and d of each.
+    const std::uint8_t* counts = nullptr;     ///< [rows][nodes]: half spaces, 0..kBraidPlanes.
+    int stepsDone = 0;                        ///< Steps since they were found.
+};
+
 /// Blocks of kLanes strands. `rest`, `positions` and `previous`: [blocks][nodes][3][kLanes]; `lanes`:
 /// [blocks][laneRows][kLanes]. Positions of the step before and of the present one take turns in `positions`.
 struct SolverBlocks
@@ -130,6 +143,7 @@ struct SolverBlocks
     std::uint8_t* awake = nullptr;       ///< [blocks] whether anything may still move; written by the kernel.
     const float* contact = nullptr;      ///< As `rest`: with hair around, see BodyPush; null without body.
     const std::uint8_t* dense = nullptr; ///< [blocks], see BodyPush; read with body alone.
+    BraidPlanes braids{};
 };
 
 } // namespace hairpaint::sim

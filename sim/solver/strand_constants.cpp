@@ -99,6 +99,12 @@ float holdGain(float gel)
     return kGravity * kStep * kStep / kSagM * ((expDet(kLn2 * 10.0F * amount) - 1.0F) / (7.0F * left));
 }
 
+float styledFraction(float holdGain)
+{
+    constexpr float kHalf = 0.05F;
+    return std::min(holdGain / (kHalf + holdGain), 1.0F);
+}
+
 float loftGain(float loft)
 {
     constexpr float kSagM = 0.0008F; ///< Displacement by gravity at the root with a loft of 1.

@@ -22,6 +22,8 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
 /// How strongly gel of 0..1 pulls every node to its position in the rest shape, in units of a step: displacements are
 /// divided by 1 + this.
 [[nodiscard]] float holdGain(float gel);
+/// How far a strand that hangs is in its rest shape with such a gain: 0 not at all, 1 wholly.
+[[nodiscard]] float styledFraction(float holdGain);
 /// Strength at the root of the spring that PhysicsSettings::loft of 0..1 asks for, in units of a step; see kLoft.
 [[nodiscard]] float loftGain(float loft);
 

@@ -9,6 +9,7 @@
 #include "sim/base/at_length_inl.h"
 #include "sim/solver/constraints/bending_inl.h"
 #include "sim/solver/constraints/body_inl.h"
+#include "sim/solver/constraints/braids_inl.h"
 #include "sim/solver/constraints/coil_inl.h"
 #include "sim/solver/constraints/fibre_damping_inl.h"
 #include "sim/solver/constraints/friction_inl.h"
@@ -24,6 +25,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
 
+/// The half spaces of a block with braids, at its first node; `rows` is null for others.
+struct BraidRows
+{
+    const float* HWY_RESTRICT rows = nullptr;
+    const std::uint8_t* HWY_RESTRICT counts = nullptr;
+    int stepsOn = 0; ///< Steps since they were found, with this one.
+};
+
 /// What a step's strands read and write. Every pointer is already at their block and lane.
 struct StrandRows
 {
@@ -36,6 +45,7 @@ struct StrandRows
     const float* HWY_RESTRICT hair; ///< Contact with hair around; null where there is none.
     bool hasBody;
     bool recoils; ///< Any of the strands, see recoil().
+    BraidRows braids;
 };
 
 /// Where equation 5, with drag, gravity, wind and the hair around, and the strand's own stiffness lead its nodes, into
@@ -78,6 +88,14 @@ HWY_INLINE void predict(const GroupGains& gains, const StepForces& step, const S
     bending.substitute(rows.rest, rows.p);
 }
 
+HWY_INLINE BraidsBeside braidsBeside(const BraidRows& braids, int node)
+{
+    if (braids.rows == nullptr)
+        return {nullptr, 0, 0};
+    const auto at = static_cast<std::size_t>(node);
+    return {braids.rows + at * kBraidRows * kLanes, braids.counts[at], braids.stepsOn};
+}
+
 /// One exact pass from root to tip: each node at its length, outside of what it touches, its velocity for the next
 /// step.
 HWY_INLINE Lanes3 projectNode(const GroupGains& gains, const ColliderSet& colliders, const StepForces& step,
@@ -93,6 +111,9 @@ HWY_INLINE Lanes3 projectNode(const GroupGains& gains, const ColliderSet& collid
     Lanes3 p = atLength(parent, headed, length, lie);
     if (rows.recoils && node > 1)
         recoil(rows.lanes, moving, p - headed, rows.previous + offset - StrandBlocks::kNodeStride);
+    BraidsBeside braids = braidsBeside(rows.braids, node);
+    if (braids.keep(gains, start, p))
+        p = select(braids.touched(), atLength(parent, p, length, lie), p);
     Contact contact = noContact();
     Yes ofSkin = contact.touched;
     if (collide(obstacles, p, contact, ofSkin)) {
@@ -109,6 +130,8 @@ HWY_INLINE Lanes3 projectNode(const GroupGains& gains, const ColliderSet& collid
     Lanes3 velocity = step.toNewHead.identity ? onHead : p - moved(step.toNewHead, start);
     const Lanes keep = keptAgainstHead(gains, rows.lanes, node);
     velocity = followingHead(velocity, onHead, keep);
+    if (any(braids.touched()))
+        velocity = braids.leaving(onHead, keep, velocity, p);
     velocity = limited(sliding(contact, onHead, keep, velocity));
     p = select(moving, p, start);
     stored3(p, rows.next + offset);
