@@ -26,7 +26,7 @@ constexpr float kUnevenPhase = 5.3F;
 constexpr float kPhase = 4.4F;
 constexpr float kEdgePhase = 1.9F;
 constexpr float kFiner = 2.0F; ///< Factor by which the edge wavers faster than the width.
-constexpr float kMostCellsAcross = 96.0F;
+constexpr float kMostLineCellsAcross = 96.0F;
 constexpr std::size_t kChunksAtOnce = 4;
 
 /// Order in which three cells in a row are searched: the middle one first, so that the others can most often be
@@ -72,7 +72,7 @@ void Hairline::makeCells()
     const glm::vec3 extent = roots.count() > 0 ? most - least : glm::vec3(0.0F);
     const float reachM =
         m_softenM * (1.0F + kWavers + kRecedes + kRecedesUneven * m_uneven) + kBetweenProbes * m_spacingM;
-    const float cellM = std::max(reachM, std::max({extent.x, extent.y, extent.z}) / kMostCellsAcross);
+    const float cellM = std::max(reachM, std::max({extent.x, extent.y, extent.z}) / kMostLineCellsAcross);
     m_perCell = 1.0F / cellM;
     m_originHd = least - 1.5F * cellM; // Positions stay inside the grid however their cells are rounded.
     m_size = glm::u64vec3(extent * m_perCell) + glm::u64vec3(4);

@@ -14,7 +14,7 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr float kCellM = 0.004F;
-constexpr float kMostCellsAcross = 256.0F; ///< Larger heads have larger cells.
+constexpr float kMostBandCellsAcross = 256.0F; ///< Larger heads have larger cells.
 
 struct Seed
 {
@@ -35,7 +35,7 @@ SkinBand::SkinBand(const Skin& skin)
     const HeadMesh& mesh = skin.mesh();
     const MeshBounds bounds = boundsOf(mesh);
     const glm::vec3 size = bounds.size();
-    const float cellM = std::max(kCellM, std::max({size.x, size.y, size.z}) / kMostCellsAcross);
+    const float cellM = std::max(kCellM, std::max({size.x, size.y, size.z}) / kMostBandCellsAcross);
     const int layers = static_cast<int>(std::ceil(kReachM / cellM));
     m_perCell = 1.0F / cellM;
     const float marginM = cellM * static_cast<float>(layers + 1);

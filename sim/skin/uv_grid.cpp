@@ -11,7 +11,7 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr int kMostCellsAcross = 1024;
+constexpr int kMostUvCellsAcross = 1024;
 constexpr std::size_t kEntriesPerFace = 16;
 /// Fraction of a triangle by which it may be missed: a uv on an edge must find one of its two faces.
 constexpr float kEdgeTolerance = 2e-5F;
@@ -46,7 +46,7 @@ UvGrid::CellRange UvGrid::cellsOf(const HeadMesh& mesh, std::uint32_t face) cons
 void UvGrid::chooseResolution(const HeadMesh& mesh, GoingOn& goingOn)
 {
     const std::size_t faceCount = mesh.triangles.size();
-    m_cellsAcross = std::clamp(static_cast<int>(std::sqrt(static_cast<float>(faceCount))), 1, kMostCellsAcross);
+    m_cellsAcross = std::clamp(static_cast<int>(std::sqrt(static_cast<float>(faceCount))), 1, kMostUvCellsAcross);
     for (;; m_cellsAcross /= 2) {
         const glm::vec2 extent = glm::max(m_highestUv - m_lowestUv, glm::vec2(1e-20F));
         m_cellsPerUv = static_cast<float>(m_cellsAcross) / extent;
