@@ -30,7 +30,7 @@ constexpr TieSeat kKnotSeat{.ringRadii = 0.9F, .turn = {kHalfRoot, -kHalfRoot, 0
 /// Half of it is stuck into the hair, toward the tie; its bend stays outside.
 constexpr TieSeat kPinSeat{.ringRadii = 1.0F, .aroundHair = true, .turn = {kHalfRoot, 0.0F, 0.0F, kHalfRoot}};
 /// Its teeth are in the hair, its back stays outside.
-constexpr TieSeat kCombSeat{.ringRadii = 1.0F, .ownRadii = 0.35F, .aroundHair = true};
+constexpr TieSeat kCombSeat{.ringRadii = 0.85F, .ownRadii = 0.2F, .aroundHair = true};
 /// Touches the ring, or the coil, from outside.
 constexpr TieSeat kBeadSeat{.ringRadii = 1.0F, .ownRadii = 0.7F, .aroundHair = true};
 
