@@ -360,7 +360,7 @@ void GroupDynamics::step(std::span<const StepForces> steps)
         if (m_body || m_braids)
             count = calmDown(left);
         if (m_braids)
-            count = m_braids->meet(m_state, count);
+            count = m_braids->meet(m_state, left.first(count));
         if (m_body) {
             count = m_body->meet(m_state, count);
             blocks.contact = m_body->contact();

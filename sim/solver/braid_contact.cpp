@@ -12,6 +12,7 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr std::size_t kStepsAContact = 4;
+constexpr std::size_t kWindyStepsAContact = 8;
 constexpr std::size_t kBraidsAtOnce = 8;
 constexpr std::size_t kMostContactsASegment = 24;
 constexpr float kTaken = 0.8F;       ///< Part of an overlap that two braids leave at once,
@@ -210,12 +211,10 @@ bool BraidContact::finish(Contact& contact) const
 /// move the further against the other braid.
 void BraidContact::addTo(std::size_t node, float weight, const Contact& contact, bool isFirst)
 {
-    const float room =
-        contact.gapM > 0.0F
-            ? -0.5F * contact.gapM
-            : std::min((isFirst ? contact.ofFirst : 1.0F - contact.ofFirst) * kTaken *
-                           std::max(-contact.gapM - kLeft * contact.clearM, 0.0F),
-                       kMostTakenM);
+    const float room = contact.gapM > 0.0F ? -0.5F * contact.gapM
+                                           : std::min((isFirst ? contact.ofFirst : 1.0F - contact.ofFirst) * kTaken *
+                                                          std::max(-contact.gapM - kLeft * contact.clearM, 0.0F),
+                                                      kMostTakenM);
     const float offset = room - (1.0F - std::min(2.0F * weight, 1.0F)) * contact.clearM;
     if (offset < -BraidPairs::kNearM)
         return;
@@ -251,7 +250,7 @@ void BraidContact::addPlanes(const Contact& contact)
 void BraidContact::writeBlock(std::size_t row)
 {
     const auto nodes = static_cast<std::size_t>(m_nodes);
-    for (std::size_t node = static_cast<std::size_t>(m_firstNode); node < nodes; ++node) {
+    for (auto node = static_cast<std::size_t>(m_firstNode); node < nodes; ++node) {
         std::uint32_t most = 0;
         for (std::size_t braid = m_firstOfRow[row]; braid < m_firstOfRow[row + 1]; ++braid) {
             const NodePlanes& from = m_nodePlanes[braid * nodes + node];
@@ -275,9 +274,11 @@ void BraidContact::writeBlock(std::size_t row)
     }
 }
 
-std::size_t BraidContact::meet(const StrandState& state, std::size_t wanted)
+std::size_t BraidContact::meet(const StrandState& state, std::span<const StepForces> wanted)
 {
-    if (!m_isFound || m_stepsDone >= kStepsAContact) {
+    const bool windy = wanted.front().windy;
+    const std::size_t most = windy ? kWindyStepsAContact : kStepsAContact;
+    if (!m_isFound || m_stepsDone >= most) {
         read(state);
         m_pairs.update(m_nodesHd, nodesInRows());
         parallelFor(m_strands.size(), kBraidsAtOnce, [&](std::size_t begin, std::size_t end) {
@@ -299,7 +300,8 @@ std::size_t BraidContact::meet(const StrandState& state, std::size_t wanted)
         m_isFound = true;
         m_stepsDone = 0;
     }
-    return std::min(wanted, kStepsAContact - m_stepsDone);
+    const auto other = std::ranges::find_if(wanted, [windy](const StepForces& step) { return step.windy != windy; });
+    return std::min(static_cast<std::size_t>(other - wanted.begin()), most - m_stepsDone);
 }
 
 } // namespace hairpaint::sim

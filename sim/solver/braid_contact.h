@@ -14,10 +14,10 @@
 namespace hairpaint::sim {
 
 /// A braid is a chain of capsules as thick as its girth, which it reaches as it does on the skin (kGirthSlope). Every
-/// kStepsAContact steps the points where segments of two braids are nearest are found, and each of their nodes is given
-/// half spaces (kBraidPlanes at most, one for each other braid) that it may not leave until then: up to the middle of a
-/// gap, and out of an overlap by a part of it (Jacobi, from where all are then), mostly the outer one. The half spaces move along as fast as
-/// the two on average. constraints/braids_inl.h applies them, with friction.
+/// four steps, in wind every eight, the points where segments of two braids are nearest are found, and each of their
+/// nodes is given half spaces (kBraidPlanes at most, one for each other braid) that it may not leave until then: up to
+/// the middle of a gap, and out of an overlap by a part of it (Jacobi, from where all are then), mostly the outer one.
+/// The half spaces move along as fast as the two on average. constraints/braids_inl.h applies them, with friction.
 ///
 /// Braids that the rest shape has nearer to each other than their girths may stay so near at their roots and, where gel
 /// holds them, all along; further down, falling braids come apart. Hair that is in no braid, braids of other groups and
@@ -30,8 +30,9 @@ public:
     [[nodiscard]] bool isEmpty() const { return m_strands.empty(); }
     /// The hair is elsewhere than it was: no contact until the next step finds them.
     void forget();
-    /// Before a step; finds contacts where it is time to. Returns how many steps of `wanted` they are for.
-    [[nodiscard]] std::size_t meet(const StrandState& state, std::size_t wanted);
+    /// Before a step; finds contacts where it is time to. Returns how many steps of `wanted`, one or more, they are
+    /// for.
+    [[nodiscard]] std::size_t meet(const StrandState& state, std::span<const StepForces> wanted);
     /// Those that were made of them.
     void pass(std::size_t steps) { m_stepsDone += steps; }
 
@@ -44,7 +45,7 @@ private:
     /// Where two segments are nearest.
     struct Contact
     {
-        std::int32_t first = 0;  ///< The nodes that they begin in.
+        std::int32_t first = 0; ///< The nodes that they begin in.
         std::int32_t second = 0;
         float alongFirst = 0.0F; ///< 0..1
         float alongSecond = 0.0F;
@@ -79,15 +80,15 @@ private:
     void writeBlock(std::size_t row);
 
     int m_nodes = 0;
-    int m_firstNode = 2; ///< The first that is moved.
-    std::vector<std::uint32_t> m_strands; ///< [braids]
-    std::vector<std::int32_t> m_braids;   ///< [braids][nodes]: of each node.
-    std::vector<glm::vec3> m_restHd;      ///< [braids][nodes]
-    std::vector<float> m_spreadM;         ///< [braids][nodes]: see allowedM().
-    AlignedFloats m_radiusM;              ///< [braids][nodes]
+    int m_firstNode = 2;                             ///< The first that is moved.
+    std::vector<std::uint32_t> m_strands;            ///< [braids]
+    std::vector<std::int32_t> m_braids;              ///< [braids][nodes]: of each node.
+    std::vector<glm::vec3> m_restHd;                 ///< [braids][nodes]
+    std::vector<float> m_spreadM;                    ///< [braids][nodes]: see allowedM().
+    AlignedFloats m_radiusM;                         ///< [braids][nodes]
     std::vector<glm::vec3> m_nodesHd, m_velocitiesM; ///< The same,
     AlignedFloats m_x, m_y, m_z;                     ///< and for the kernel.
-    std::vector<std::uint8_t> m_asleep;                     ///< [braids]
+    std::vector<std::uint8_t> m_asleep;              ///< [braids]
     BraidPairs m_pairs;
     std::vector<Contact> m_contacts; ///< [braids][m_mostContacts]
     std::vector<std::uint32_t> m_contactCounts;

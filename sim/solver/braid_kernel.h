@@ -18,8 +18,8 @@ struct BraidNodes
     const float* radius = nullptr; ///< Of the braid there; in between it changes evenly.
 };
 
-/// Pairs of segments, each by the node that it begins in. Both arrays have room for a whole number of kLanes and start on
-/// a cache line; behind the pairs may be any others.
+/// Pairs of segments, each by the node that it begins in. Both arrays have room for a whole number of kLanes and start
+/// on a cache line; behind the pairs may be any others.
 struct SegmentPairs
 {
     const std::int32_t* first = nullptr;

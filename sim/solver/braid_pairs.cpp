@@ -61,7 +61,8 @@ glm::ivec3 BraidPairs::cellOf(glm::vec3 pHd) const
 
 std::size_t BraidPairs::indexOf(glm::ivec3 cell) const
 {
-    return static_cast<std::size_t>((cell.z * m_cells.y + cell.y) * m_cells.x + cell.x);
+    const int index = (cell.z * m_cells.y + cell.y) * m_cells.x + cell.x;
+    return static_cast<std::size_t>(index);
 }
 
 void BraidPairs::sortIntoCells(std::span<const glm::vec3> nodesHd)

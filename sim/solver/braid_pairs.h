@@ -24,7 +24,7 @@ class BraidPairs
 {
 public:
     static constexpr std::size_t kMostPairs = 48;
-    static constexpr float kNearM = 0.003F;  ///< Gap up to which pairs are wanted,
+    static constexpr float kNearM = 0.002F;  ///< Gap up to which pairs are wanted,
     static constexpr float kSlackM = 0.005F; ///< and how much further the list reaches.
     static constexpr int kUpdatesAList = 4;
 

@@ -121,8 +121,8 @@ struct GroupGains
 inline constexpr int kBraidPlanes = 4; ///< Other braids that a node keeps off at once.
 inline constexpr int kBraidRows = 3 + 4 * kBraidPlanes;
 
-/// Half spaces that nodes of braids stay in, see BraidContact. They hold p where dot(n, p) >= d + steps * dot(n, v); those
-/// of a lane without any have n and d 0.
+/// Half spaces that nodes of braids stay in, see BraidContact. They hold p where dot(n, p) >= d + steps * dot(n, v);
+/// those of a lane without any have n and d 0.
 struct BraidPlanes
 {
     const std::int32_t* rowOfBlock = nullptr; ///< [blocks], -1 where no strand is a braid; null without braids.

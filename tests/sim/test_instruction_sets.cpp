@@ -1,6 +1,7 @@
 // Every instruction set that this machine has gives the same bytes. Highway picks the best one at run time; here each
 // of the others is forced in turn.
 #include "groom_bytes.h"
+#include "hanging_hair.h"
 #include "sim/motion/simulation.h"
 #include "tests/support/painted_ball.h"
 #include "tests/support/test_program.h"
@@ -61,6 +62,22 @@ std::vector<float> gatheredHair()
     return all;
 }
 
+/// Braids that fall over a ball and each other.
+std::vector<float> braidedHair()
+{
+    std::vector<HandStrand> strands;
+    for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < 4; ++j)
+            strands.push_back(
+                {.rootHd = {0.006F * static_cast<float>(i) - 0.015F, 0.1F, 0.006F * static_cast<float>(j) - 0.009F},
+                 .lengthM = 0.25F,
+                 .girthM = 0.006F});
+    GroupDynamics hair;
+    hair.setGroom(groomOf(strands, 14, PhysicsSettings{}), ballCollider(), WindField::calm({}));
+    fall(hair, 60);
+    return {hair.state().now().begin(), hair.state().now().end()};
+}
+
 /// From now on the kernels run with this instruction set; 0: the best one again.
 void force(std::int64_t target)
 {
@@ -94,12 +111,14 @@ void TestInstructionSets::eachGivesTheSameBytes()
     force(0);
     const std::vector<float> best = hairAfterAWhile();
     const std::vector<float> bestGathered = gatheredHair();
+    const std::vector<float> bestBraided = braidedHair();
     force(target);
     QVERIFY(hwy::SupportedTargets() == target);
     const std::vector<float> forced = hairAfterAWhile();
     QVERIFY(!best.empty());
     QVERIFY(sameBytes(best, forced));
     QVERIFY(sameBytes(bestGathered, gatheredHair()));
+    QVERIFY(sameBytes(bestBraided, braidedHair()));
 }
 
 HAIRPAINT_TEST(TestInstructionSets, None)

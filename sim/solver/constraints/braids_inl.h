@@ -29,23 +29,27 @@ public:
     HWY_INLINE bool keep(const GroupGains& gains, const Lanes3& start, Lanes3& p)
     {
         constexpr float kMostM = 0.01F; // A node is moved by at most this much for each.
-        constexpr int kPasses = 2;      // In a corner between two, one moves it out of the other.
+        constexpr int kPasses = 2; // In a corner between two, one moves it out of the other; elsewhere one is enough.
         const Lanes3 headed = p;
+        Yes corners = Lanes(0.0F) == Lanes(0.0F); // At first every lane.
         for (int pass = 0; pass < kPasses; ++pass) {
-            bool moves = false;
+            Yes once = noLane();
+            Yes twice = noLane();
             for (std::size_t i = 0; i < m_planes; ++i) {
                 const Lanes3 normal = normalOf(i);
                 const Lanes offset = loaded(m_row + (6 + 4 * i) * kLanes) + dot(normal, m_velocity) * m_stepsOn;
                 const Lanes depth = offset - dot(normal, p);
-                const Yes outside = depth > 0.0F;
+                const Yes outside = (depth > 0.0F) & corners;
                 if (!any(outside))
                     continue;
                 p = select(outside, p + normal * least(depth, kMostM), p);
                 m_touched = m_touched | outside;
-                moves = true;
+                twice = twice | (once & outside);
+                once = once | outside;
             }
-            if (!moves)
+            if (!any(twice))
                 break;
+            corners = twice;
         }
         if (!any(m_touched))
             return false;
@@ -81,7 +85,10 @@ public:
     }
 
 private:
-    [[nodiscard]] HWY_INLINE Lanes3 normalOf(std::size_t plane) const { return loaded3(m_row + (3 + 4 * plane) * kLanes); }
+    [[nodiscard]] HWY_INLINE Lanes3 normalOf(std::size_t plane) const
+    {
+        return loaded3(m_row + (3 + 4 * plane) * kLanes);
+    }
 
     const float* HWY_RESTRICT m_row;
     std::size_t m_planes;
