@@ -247,7 +247,8 @@ Checked<std::shared_ptr<const OwnMesh>> ownMeshFromGlb(const QString& name, cons
             pixels += part.texture->rgba.size() / 4;
         sim::HeadMesh mesh = *part.mesh;
         fitIntoBox(mesh, glm::vec3(0.0F), glm::vec3(1.0F)); // Where it is, unless the file was made otherwise.
-        OwnSurface& surface = own->surfaces.emplace_back(std::move(part));
+        OwnSurface& surface = own->surfaces.emplace_back();
+        surface.part = std::move(part);
         surface.mirrored = mirroredMesh(mesh);
         surface.part.mesh = std::make_shared<const sim::HeadMesh>(std::move(mesh));
     };
