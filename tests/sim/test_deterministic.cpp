@@ -106,10 +106,12 @@ void TestDeterministic::roundedFunctionsGiveTheseBits_data()
     QTest::newRow("cosine") << Function{[](float x) { return cosRounded(x); }} << quint64{15402592790652033664U};
     QTest::newRow("arcsine") << Function{[](float x) { return asinRounded(x); }} << quint64{15062519861460614037U};
     QTest::newRow("arccosine") << Function{[](float x) { return acosRounded(x); }} << quint64{8916772571769135197U};
-    QTest::newRow("angle") << Function{[](float x) { return atan2Rounded(x, 1.0F - x); }} << quint64{7475097300408848899U};
+    QTest::newRow("angle") << Function{[](float x) { return atan2Rounded(x, 1.0F - x); }}
+                           << quint64{7475097300408848899U};
     QTest::newRow("exponential") << Function{[](float x) { return expRounded(-x); }} << quint64{865068177515859875U};
     QTest::newRow("power") << Function{[](float x) { return powRounded(x, 2.4F); }} << quint64{5144156514688813463U};
-    QTest::newRow("hypotenuse") << Function{[](float x) { return hypotRounded(x, 0.3F); }} << quint64{721274037120757846U};
+    QTest::newRow("hypotenuse") << Function{[](float x) { return hypotRounded(x, 0.3F); }}
+                                << quint64{721274037120757846U};
 }
 
 void TestDeterministic::roundedFunctionsGiveTheseBits()
