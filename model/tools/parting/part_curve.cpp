@@ -131,7 +131,7 @@ std::vector<sim::SurfacePoint> pointsToHairline(const sim::Skin& skin, const Par
                                                 const sim::TiledRaster& density)
 {
     constexpr float kStepM = 0.005F;
-    constexpr float kFurthestM = 0.07F;
+    constexpr int kFurthestSteps = 15; // 7.5 cm.
     constexpr float kBare = 0.05F;
     constexpr float kTowardFace = 0.2F; // Least z of the curve's direction at an end that points toward the face.
     std::vector<sim::SurfacePoint> points;
@@ -142,7 +142,7 @@ std::vector<sim::SurfacePoint> pointsToHairline(const sim::Skin& skin, const Par
     if (directionHd.z < kTowardFace || density.sampleScalar(end.uv) < kBare)
         return points;
     glm::vec3 at = end.positionHd;
-    for (float reachedM = 0.0F; reachedM < kFurthestM; reachedM += kStepM) {
+    for (int steps = 0; steps < kFurthestSteps; ++steps) {
         const sim::SurfacePoint next = skin.nearest(at + directionHd * kStepM);
         const glm::vec3 step = next.positionHd - at;
         if (glm::length(step) < 0.5F * kStepM)
