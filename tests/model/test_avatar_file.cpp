@@ -55,6 +55,13 @@ Worn bead()
     return worn;
 }
 
+/// nodes.end() where none has the name.
+QJsonArray::const_iterator namedNode(const QJsonArray& nodes, QLatin1String name)
+{
+    return std::ranges::find_if(
+        nodes, [name](const QJsonValue& node) { return node[QLatin1String("name")].toString() == name; });
+}
+
 } // namespace
 
 class TestAvatarFile : public QObject
@@ -167,9 +174,7 @@ private Q_SLOTS:
                 QVERIFY(node[QLatin1String("translation")][1].toDouble() < 0.0);
             }
         }
-        const auto body = std::ranges::find_if(nodes, [](const QJsonValue& node) {
-            return node[QLatin1String("name")].toString() == QLatin1String("Worn bow 5");
-        });
+        const auto body = namedNode(nodes, QLatin1String("Worn bow 5"));
         QVERIFY(body != nodes.end());
         QCOMPARE((*body)[QLatin1String("skin")].toInt(-1), 0);
     }
@@ -190,9 +195,7 @@ private Q_SLOTS:
         const QJsonObject json =
             exported(hasHair ? frameOf({hairGroup(1, 30'000, 65535, 0)}) : frameOf({}), avatar, {bead()});
         const QJsonArray nodes = json[QLatin1String("nodes")].toArray();
-        const auto node = std::ranges::find_if(nodes, [](const QJsonValue& one) {
-            return one[QLatin1String("name")].toString() == QLatin1String("Worn ball 9");
-        });
+        const auto node = namedNode(nodes, QLatin1String("Worn ball 9"));
         QVERIFY(node != nodes.end());
         // With the body's skin, whose joint of the head holds all of it.
         const QJsonValue skin = json[QLatin1String("skins")][(*node)[QLatin1String("skin")].toInt()];
@@ -234,9 +237,7 @@ private Q_SLOTS:
         const QJsonObject json =
             exported(frameOf({hairGroup(1, 30'000, 65535, 0)}), mannequinAvatar(), {std::move(worn)});
         const QJsonArray nodes = json[QLatin1String("nodes")].toArray();
-        const auto node = std::ranges::find_if(nodes, [](const QJsonValue& one) {
-            return one[QLatin1String("name")].toString() == QLatin1String("Worn mesh 9 part 1");
-        });
+        const auto node = namedNode(nodes, QLatin1String("Worn mesh 9 part 1"));
         QVERIFY(node != nodes.end());
         const QJsonValue skin = json[QLatin1String("skins")][(*node)[QLatin1String("skin")].toInt()];
         QCOMPARE(skin[QLatin1String("name")].toString(), QStringLiteral("Body"));
