@@ -3,6 +3,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include <memory>
 #include <utility>
 
 namespace hairpaint::sim {
@@ -10,7 +11,8 @@ namespace hairpaint::sim {
 struct PerThreadStore::State
 {
     explicit State(Make make) : all(std::move(make)) {}
-    tbb::enumerable_thread_specific<std::shared_ptr<void>> all;
+    /// In the program's own memory: what lies in oneTBB's pools, a leak checker takes for lost.
+    tbb::enumerable_thread_specific<std::shared_ptr<void>, std::allocator<std::shared_ptr<void>>> all;
 };
 
 PerThreadStore::PerThreadStore(Make make) : m_state(std::make_unique<State>(std::move(make))) {}
