@@ -3,6 +3,7 @@
 // and ends as it ended.
 #include <windows.h>
 
+#include <cstdio>
 #include <string>
 
 namespace {
@@ -58,8 +59,11 @@ int main()
     PROCESS_INFORMATION process{};
     SetConsoleCtrlHandler(leaveToProgram, TRUE);
     if (CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, TRUE, 0, nullptr, nullptr, &start, &process) ==
-        FALSE)
+        FALSE) {
+        std::fprintf(stderr, "hairpaint.exe could not be started (error %lu); install Hair Paint again\n",
+                     GetLastError());
         return kNotStarted;
+    }
     WaitForSingleObject(process.hProcess, INFINITE);
     DWORD code = kNotStarted;
     GetExitCodeProcess(process.hProcess, &code);

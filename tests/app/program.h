@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/support/locations.h"
+#include "tests/support/process_memory.h"
 
 #include <QByteArray>
 #include <QDir>
@@ -28,23 +29,8 @@ struct Outcome
     QString output;
     QString error;
     double seconds = 0.0;
-    qint64 peakBytes = 0; ///< In memory at once, helpers included; looked at every few milliseconds, on Linux only.
+    qint64 peakBytes = 0; ///< In memory at once, helpers included; looked at every few milliseconds.
 };
-
-/// What a process and its children hold in memory now.
-inline qint64 residentBytes(qint64 process)
-{
-    const auto read = [process](const char* name) {
-        QFile file(QStringLiteral("/proc/%1/%2").arg(process).arg(QLatin1String(name)));
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    };
-    qint64 bytes = read("statm").split(' ').value(1).toLongLong() * 4096;
-    const QByteArray children = read(QByteArray("task/" + QByteArray::number(process) + "/children").constData());
-    for (const QByteArray& child : children.split(' '))
-        if (child.toLongLong() > 0)
-            bytes += residentBytes(child.toLongLong());
-    return bytes;
-}
 
 /// Runs the program without a display, or with X11's `display`. `inChild` is called in the child before the program
 /// starts. `language`: of the system, "es_ES".

@@ -148,6 +148,13 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(m_window->isActiveWindow(), kPatienceMs);
     }
 
+    void listsMenusAndTipsHaveTheProgramsFont()
+    {
+        openWindow(test::smallProject()); // Windows has fonts of its own for them.
+        for (const char* kind : {"QAbstractItemView", "QMenu", "QMenuBar", "QMessageBox", "QTipLabel", "QStatusBar"})
+            QCOMPARE(QApplication::font(kind).families(), QApplication::font().families());
+    }
+
     void everyActionHasATextAndKeysAreUnique()
     {
         openWholeWindow(model::newProject());

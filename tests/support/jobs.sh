@@ -261,7 +261,7 @@ packages() {
 windows() {
     local work=$PWD/build/windows
     say "== windows"
-    install_packages wine64 xvfb xdotool imagemagick || exit 1
+    install_packages wine64 xvfb xdotool imagemagick unzip || exit 1
     [ -n "${DISPLAY:-}" ] || exec xvfb-run -a -s "-screen 0 1440x900x24" tests/run --windows
     build release || { failed=$((failed + 1)); return; }
     resources/packaging/windows/build >&2 && resources/packaging/windows/build tests >&2 || { failed=$((failed + 1)); return; }
@@ -270,7 +270,7 @@ windows() {
     run_suite windows/program
     left_out build/release/tests.log build/windows/program/tests.log
     counted tests/packaging/windows_bytes "$work/package/hairpaint"
-    counted tests/packaging/windows_installed build/packages/*-setup.exe
+    counted tests/packaging/windows_installed build/packages/*-windows-x86_64-setup.exe build/packages/*-windows-x86_64.zip
     counted tests/packaging/windows_window "$work/package/hairpaint"
 }
 

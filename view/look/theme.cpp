@@ -113,9 +113,10 @@ void applyTheme(QApplication& application, ThemeKind kind)
     if (application.styleSheet() == sheet)
         return; // As another window has it.
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    QApplication::setFont(themeFont(TextRole::Body));
     QApplication::setPalette(theme.palette());
     application.setStyleSheet(sheet);
+    // Last: a new style brings back the fonts that Windows has for lists, menus and tips.
+    QApplication::setFont(themeFont(TextRole::Body));
     matchTitleBars(application, kind);
 }
 
