@@ -9,6 +9,7 @@
 #include "model/files/project_file.h"
 #include "model/growth/face_hair.h"
 #include "model/styles/hair_kinds.h"
+#include "sim/base/rounded.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,8 +97,8 @@ sim::SurfacePoint Recording::around(float degrees, float heightM) const
 {
     const float angle = degrees * std::numbers::pi_v<float> / 180.0F;
     const sim::Skin& skin = *m_document.project().head->skin;
-    return *skin.pick(
-        {.originHd = {0.0F, heightM, kAxisForwardM}, .directionHd = {std::sin(angle), 0.0F, std::cos(angle)}});
+    return *skin.pick({.originHd = {0.0F, heightM, kAxisForwardM},
+                       .directionHd = {sim::sinRounded(angle), 0.0F, sim::cosRounded(angle)}});
 }
 
 Recording::Points Recording::along(std::span<const Seen> line) const

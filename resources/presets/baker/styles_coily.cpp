@@ -1,9 +1,9 @@
 // Coily hair that was shaped: twisted and let out, brushed into waves.
 #include "model/project/hair_types.h"
+#include "sim/base/rounded.h"
 #include "strokes.h"
 #include "styles.h"
 
-#include <cmath>
 #include <numbers>
 
 namespace hairpaint::presets {
@@ -24,11 +24,12 @@ Recording::Points aroundWhorl(const Recording& user, float fromCrownM, int numbe
     ring.reserve(kSteps + 1);
     for (int i = 0; i <= kSteps; ++i) {
         const float turn = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kSteps;
-        const float waver = kWaverM * (std::sin(5.0F * turn + 1.7F * static_cast<float>(number)) +
-                                       std::sin(8.0F * turn + 2.9F * static_cast<float>(number)));
+        const float waver = kWaverM * (sim::sinRounded(5.0F * turn + 1.7F * static_cast<float>(number)) +
+                                       sim::sinRounded(8.0F * turn + 2.9F * static_cast<float>(number)));
         const float polar = (fromCrownM + waver) / kRadiusM;
-        ring.push_back(user.outward(
-            centreHd, crown * std::cos(polar) + (forward * std::cos(turn) + left * std::sin(turn)) * std::sin(polar)));
+        ring.push_back(user.outward(centreHd, crown * sim::cosRounded(polar) +
+                                                  (forward * sim::cosRounded(turn) + left * sim::sinRounded(turn)) *
+                                                      sim::sinRounded(polar)));
     }
     return ring;
 }

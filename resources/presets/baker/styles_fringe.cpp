@@ -1,10 +1,10 @@
 // Styles with hair over the forehead.
 #include "model/project/hair_types.h"
+#include "sim/base/rounded.h"
 #include "strokes.h"
 #include "styles.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -34,7 +34,8 @@ void cutSidelocks(Recording& user, float lineHeightM)
         float heightM = 0.0F;
         for (const float degrees : turns) {
             const float angle = glm::radians(degrees);
-            arc.push_back(user.above(radiusM * std::sin(angle), kAxisForwardM + radiusM * std::cos(angle)));
+            arc.push_back(
+                user.above(radiusM * sim::sinRounded(angle), kAxisForwardM + radiusM * sim::cosRounded(angle)));
             heightM = std::max(heightM, arc.back().positionHd.y);
         }
         user.brush(MapKind::Length, lengthAt(heightM), ring, arc);
