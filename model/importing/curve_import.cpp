@@ -88,7 +88,7 @@ QString unreadFiles(const QStringList& names)
     return say(QT_TRANSLATE_NOOP("Files",
                                  "not read, so hair that is in there is missing: %1; save it as USD text in the "
                                  "same folder"))
-        .arg(shownPath(text));
+        .arg(onOneLine(text)); // As they stand in the file: a path in a stage is none of the system's.
 }
 
 Result<std::vector<HairGroup>> groupsFromCurves(const QString& path, const CurveSpaceChoice& choice,

@@ -16,11 +16,15 @@ QString say(const char* text)
 
 QString shownPath(const QString& path)
 {
-    QString shown = QDir::toNativeSeparators(path);
-    for (QChar& c : shown)
+    return onOneLine(QDir::toNativeSeparators(path));
+}
+
+QString onOneLine(QString text)
+{
+    for (QChar& c : text)
         if (c.category() == QChar::Other_Control || c == QChar::LineSeparator || c == QChar::ParagraphSeparator)
             c = QLatin1Char('?');
-    return shown;
+    return text;
 }
 
 tl::unexpected<Clause> refuse(QString clause, Clause::Cure cure)

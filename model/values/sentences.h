@@ -11,6 +11,9 @@ namespace hairpaint::model {
 /// The path as it stands in a sentence: native separators, on one line.
 [[nodiscard]] QString shownPath(const QString& path);
 
+/// A name out of a file as it stands in a sentence.
+[[nodiscard]] QString onOneLine(QString text);
+
 /// Text in translation context "Files"; mark it with QT_TRANSLATE_NOOP.
 [[nodiscard]] QString say(const char* text);
 

@@ -87,8 +87,9 @@ inline QString faultOf(const QString& folder, const QStringList& arguments, cons
                              .arg(outcome.seconds)
                              .arg(outcome.peakBytes / 1'000'000)
                              .arg(outcome.error);
+    const QString shown = QDir::toNativeSeparators(named);
     const bool wellSaid = outcome.error.count(QLatin1Char('\n')) == 1 && outcome.error.endsWith(QLatin1Char('\n')) &&
-                          outcome.error.contains(named) && outcome.error.count(named) <= 2 && outcome.output.isEmpty();
+                          outcome.error.contains(shown) && outcome.error.count(shown) <= 2 && outcome.output.isEmpty();
     const bool wellBehaved = outcome.code == 1 && outcome.seconds < kMostSeconds && outcome.peakBytes < kMostBytes &&
                              QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::System) == before;
     return wellSaid && wellBehaved ? QString() : said;

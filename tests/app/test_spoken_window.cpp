@@ -47,8 +47,8 @@ QString withoutExceptions(QString text, const QString& driver)
         QRegularExpression(QStringLiteral("English|Español")),                 // Languages call themselves so.
         QRegularExpression(QStringLiteral("#[0-9a-f]{6}")),                    // Colours.
         QRegularExpression(
-            QStringLiteral("[\\w/.-]*\\.(hairpaint|hairpreset|png|obj|hair|glb|vrm|usda|usdz)\\b")), // Files.
-        QRegularExpression(QStringLiteral("\\b(PNG|TIF|EXR|TGA)\\b")),                               // Formats.
+            QStringLiteral("[\\w/\\\\:.-]*\\.(hairpaint|hairpreset|png|obj|hair|glb|vrm|usda|usdz)\\b")), // Files.
+        QRegularExpression(QStringLiteral("\\b(PNG|TIF|EXR|TGA)\\b")),                                    // Formats.
         QRegularExpression(QStringLiteral("\\bScalp\\b")),    // What the user calls a group.
         QRegularExpression(QStringLiteral("\\(\\*[^)]*\\)")), // Endings of files.
     };

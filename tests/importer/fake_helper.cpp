@@ -11,6 +11,12 @@
 #include <span>
 #include <string>
 
+#ifdef _WIN32
+#include <csignal>
+#include <fcntl.h>
+#include <io.h>
+#endif
+
 using namespace hairpaint;
 
 namespace {
@@ -95,10 +101,21 @@ wire::Bytes unencoded()
     return request ? wire::encodeFile(std::as_bytes(std::span(request->image.samples))) : wire::Bytes();
 }
 
+/// As the one that behaves: bytes as they are, and no box that asks what is to be done.
+void behaveOnWindows()
+{
+#ifdef _WIN32
+    for (const int stream : {0, 1, 2})
+        (void)_setmode(stream, _O_BINARY);
+    (void)std::signal(SIGABRT, [](int) { std::_Exit(3); });
+#endif
+}
+
 } // namespace
 
 int main()
 {
+    behaveOnWindows();
     const char* variable = std::getenv("HAIRPAINT_FAKE_HELPER");
     const std::string mode = variable == nullptr ? "" : variable;
     std::fputs("a decoder's own complaint\n", stderr);

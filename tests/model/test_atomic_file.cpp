@@ -102,6 +102,7 @@ private Q_SLOTS:
         QCOMPARE(names(), QStringList(QStringLiteral("file")));
     }
 
+#ifdef Q_OS_UNIX // What Qt makes for a link on Windows is a shortcut, a file of its own.
     void theFileBehindALinkIsReplacedAndKeepsItsPermissions()
     {
         const QString link = m_folder.filePath(QStringLiteral("link"));
@@ -115,6 +116,7 @@ private Q_SLOTS:
         QCOMPARE(QFileInfo(path()).permissions() & (own | group), own);
         QFile::remove(link);
     }
+#endif
 
 #ifdef Q_OS_LINUX
     void aFileThatIsStillWrittenIsNotSwept()
