@@ -245,7 +245,7 @@ packages() {
     build release || { failed=$((failed + 1)); return; }
     local made=$PWD/build/packages version
     version=$(sed -n 's/^project(HairPaint VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
-    rm -rf "$made"
+    rm -f "$made"/*.deb "$made"/*.tar.xz # Those for Windows stay.
     cpack -G DEB --config build/release/CPackConfig.cmake -B "$made" >/dev/null || { failed=$((failed + 1)); return; }
     resources/packaging/portable build/release "$made/hairpaint-$version-linux-x86_64.tar.xz" || { failed=$((failed + 1)); return; }
     rm -rf "$made/_CPack_Packages"
