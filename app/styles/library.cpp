@@ -1,6 +1,7 @@
 // The library of styles: see the header.
 #include "app/styles/library.h"
 
+#include "model/disk/disk_sync.h"
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "model/project/group_schema.h"
@@ -130,7 +131,7 @@ model::Result<void> renameStyle(const QString& path, const QString& name, const 
     if (const model::Result<void> saved = model::savePreset(*preset, renamed, progress); !saved)
         return tl::unexpected(saved.error());
     // Where letters' case does not count the new file may be the old one.
-    if (QFileInfo(renamed).canonicalFilePath() != QFileInfo(path).canonicalFilePath() && !QFile::remove(path))
+    if (QFileInfo(renamed).canonicalFilePath() != QFileInfo(path).canonicalFilePath() && !model::deleteFile(path))
         return model::failure(
             QCoreApplication::translate(
                 "Library", "The style is now '%1', but its old file '%2' could not be removed; delete it by hand.")

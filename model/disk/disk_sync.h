@@ -15,5 +15,7 @@ void beginFlush(const QFileDevice& file, qint64 at, qint64 count);
 void flushFolder(const QString& folder);
 /// Replaces one file by another: at any moment the name refers to the old or the new file, complete.
 [[nodiscard]] bool replaceFile(const QString& from, const QString& to);
+/// Deletes a file; on Windows also one that a scanner, or a thread of ours, looks into just now.
+[[nodiscard]] bool deleteFile(const QString& path);
 
 } // namespace hairpaint::model

@@ -45,6 +45,11 @@ bool replaceFile(const QString& from, const QString& to)
     return !problem;
 }
 
+bool deleteFile(const QString& path)
+{
+    return QFile::remove(path);
+}
+
 } // namespace hairpaint::model
 
 #endif

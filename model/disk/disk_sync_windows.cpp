@@ -30,6 +30,29 @@ bool isPassing(DWORD error)
     return error == ERROR_SHARING_VIOLATION || error == ERROR_ACCESS_DENIED || error == ERROR_LOCK_VIOLATION;
 }
 
+/// Does it, once more for half a second while the file is in use and its attributes do not forbid it. The system's
+/// error is kept for whoever asks why.
+template<class Change>
+bool doneInTime(const std::wstring& target, const Change& change)
+{
+    constexpr int kTries = 20;
+    constexpr unsigned long kPauseMs = 25;
+    DWORD error = ERROR_SUCCESS;
+    for (int tries = 0; tries < kTries; ++tries) {
+        if (change())
+            return true;
+        error = GetLastError();
+        const DWORD attributes = GetFileAttributesW(target.c_str());
+        const bool isKept = attributes != INVALID_FILE_ATTRIBUTES &&
+                            (attributes & (FILE_ATTRIBUTE_READONLY | FILE_ATTRIBUTE_DIRECTORY)) != 0;
+        if (isKept || !isPassing(error))
+            break;
+        QThread::msleep(kPauseMs);
+    }
+    SetLastError(error);
+    return false;
+}
+
 } // namespace
 
 QString syncProblem(const QFileDevice& file)
@@ -57,24 +80,17 @@ void flushFolder(const QString& /*folder*/) {} // The move waited for it.
 
 bool replaceFile(const QString& from, const QString& to)
 {
-    constexpr int kTries = 20;
-    constexpr unsigned long kPauseMs = 25;
     const std::wstring source = nativePath(from);
     const std::wstring target = nativePath(to);
-    DWORD error = ERROR_SUCCESS;
-    for (int tries = 0; tries < kTries; ++tries) {
-        if (MoveFileExW(source.c_str(), target.c_str(), MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) != FALSE)
-            return true;
-        error = GetLastError();
-        const DWORD attributes = GetFileAttributesW(target.c_str());
-        const bool isKept = attributes != INVALID_FILE_ATTRIBUTES &&
-                            (attributes & (FILE_ATTRIBUTE_READONLY | FILE_ATTRIBUTE_DIRECTORY)) != 0;
-        if (isKept || !isPassing(error))
-            break;
-        QThread::msleep(kPauseMs);
-    }
-    SetLastError(error); // Whoever asks why gets this.
-    return false;
+    return doneInTime(target, [&source, &target] {
+        return MoveFileExW(source.c_str(), target.c_str(), MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) != FALSE;
+    });
+}
+
+bool deleteFile(const QString& path)
+{
+    const std::wstring target = nativePath(path);
+    return doneInTime(target, [&target] { return DeleteFileW(target.c_str()) != FALSE; });
 }
 
 } // namespace hairpaint::model
