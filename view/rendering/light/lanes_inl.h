@@ -31,6 +31,7 @@ using sim::HWY_NAMESPACE::loaded3;
 using sim::HWY_NAMESPACE::log2Of;
 using sim::HWY_NAMESPACE::mixed;
 using sim::HWY_NAMESPACE::most;
+using sim::HWY_NAMESPACE::noLane;
 using sim::HWY_NAMESPACE::powerOf;
 using sim::HWY_NAMESPACE::powerOfTwo;
 using sim::HWY_NAMESPACE::Quad;

@@ -70,7 +70,7 @@ bool mayTouchRows(const StrandBlock& block, const StrandView& view, const TileGr
 } // namespace
 
 void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, const FrameConstants& constants,
-                         float detail, bool fine)
+                         float detail, bool fine, const HeadOcclusion& head)
 {
     m_frame = frame;
     m_groups.clear();
@@ -157,6 +157,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
                       .undrawnCoverings = depth.undrawnCoverings,
                       .inEveryColumn = depth.inEveryColumn,
                       .deepFraction = deepFraction(depth, group.widthSp, group.fraction),
+                      .head = head.cells(),
                       .lighting = hairLighting(constants, material)};
         const std::size_t count = group.list->slots().size();
         for (std::size_t first = 0; first < count; first += batchStrands)

@@ -3,6 +3,7 @@
 
 #include "view/rendering/drawn_fraction.h"
 #include "view/rendering/frame_constants.h"
+#include "view/rendering/software/head_occlusion.h"
 #include "view/rendering/software/opacity_grids.h"
 #include "view/rendering/software/screen_segments.h"
 #include "view/rendering/software/strand_list.h"
@@ -23,8 +24,9 @@ public:
     explicit HairSegments(std::size_t mostBytes) : m_mostBytes(mostBytes) {}
     /// Chooses the strands, fills the opacity grids and cuts the strands into batches. Unless `fine`, hair that is half
     /// hidden is drawn by fewer strands.
+    /// What the head hides of it is not drawn.
     void begin(const std::shared_ptr<const sim::StrandFrame>& frame, const FrameConstants& constants, float detail,
-               bool fine);
+               bool fine, const HeadOcclusion& head);
     /// Number of batches; each can be drawn on its own, on any thread.
     [[nodiscard]] std::size_t batchCount() const { return m_batchCount; }
     void drawBatch(std::size_t batch);

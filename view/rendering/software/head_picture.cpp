@@ -12,6 +12,7 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr int kBandRows = 32;
+static_assert(kBandRows % kOcclusionCellSp == 0);
 constexpr float kNearestHeadM = 0.01F;
 
 glm::vec3 turnedBy(glm::vec4 q, glm::vec3 p)
@@ -102,6 +103,7 @@ void HeadPicture::update(const Scene& scene, bool coarse, const FrameConstants& 
     m_distancesM.resize(count);
     m_worn.assign(scene.solids.empty() ? 0 : count, 0);
     m_rowHasHead.assign(static_cast<std::size_t>(height), 0);
+    m_occlusion.resize(width, height);
     Mesh& mesh = m_isCoarse ? m_coarse : m_fine;
     const std::shared_ptr<const sim::HeadMesh>& shown = m_isCoarse ? scene.headInMotion : scene.head;
     if (mesh.source != shown) {
@@ -134,8 +136,15 @@ void HeadPicture::update(const Scene& scene, bool coarse, const FrameConstants& 
                                                                         .distancesM = m_distancesM.data()});
             std::fill(m_rowHasHead.begin() + band.firstRow, m_rowHasHead.begin() + band.endRow,
                       anyPart || anyCard ? std::uint8_t{1} : std::uint8_t{0});
+            m_occlusion.fillRows({.width = width,
+                                  .height = height,
+                                  .samples = m_samples.data(),
+                                  .distancesM = m_distancesM.data(),
+                                  .worn = whole.worn},
+                                 band.firstRow, band.endRow, anyPart || anyCard);
         }
     });
+    m_occlusion.combine();
     m_head = scene.head;
     m_cards = scene.cards;
     m_drawnWith = part;

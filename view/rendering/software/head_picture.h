@@ -6,6 +6,7 @@
 #include "view/rendering/scalp_tint.h"
 #include "view/rendering/software/card_picture.h"
 #include "view/rendering/software/head_kernel.h"
+#include "view/rendering/software/head_occlusion.h"
 #include "view/rendering/software/tile_kernel.h"
 
 #include <memory>
@@ -28,6 +29,7 @@ public:
     [[nodiscard]] const std::uint8_t* worn() const { return m_worn.empty() ? nullptr : m_worn.data(); }
     /// [rows of samples] 0 where the row shows no head.
     [[nodiscard]] const std::vector<std::uint8_t>& rowHasHead() const { return m_rowHasHead; }
+    [[nodiscard]] const HeadOcclusion& occlusion() const { return m_occlusion; }
     [[nodiscard]] int width() const { return m_width; }
     [[nodiscard]] int height() const { return m_height; }
     /// Whether any of the samples in a rectangle shows the head.
@@ -75,6 +77,7 @@ private:
     std::vector<float> m_distancesM;
     std::vector<std::uint8_t> m_worn;
     std::vector<std::uint8_t> m_rowHasHead;
+    HeadOcclusion m_occlusion;
     std::vector<Part> m_parts; ///< The head, then the solids.
 };
 

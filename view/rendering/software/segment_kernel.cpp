@@ -71,7 +71,7 @@ void boundsOfAll(const TileGrid& tiles, const StrandPoints& points, int segments
             storedPair(wholeOf(least(w0 + Lanes(0.5F), Lanes(kMostUnits))),
                        wholeOf(least(w1 + Lanes(0.5F), Lanes(kMostUnits))), bounds.widths.data() + a);
         }
-        bounds.lanes[j] = seen;
+        bounds.lanes[j] = seen & points.mayBeSeen[j];
     }
 }
 

@@ -96,7 +96,8 @@ void SoftwareRenderer::State::prepare(const Scene& scene, const Quality& quality
     picture.constants = frameConstants(scene, picture.target, skull.radiusM(scene.head));
     const float detail = std::clamp(quality.detail, 1.0F / 1024.0F, 1.0F);
     head.update(scene, quality.coarseHead, picture.constants);
-    hair.begin(scene.cards ? nullptr : scene.hair, picture.constants, detail, quality.samples > 1);
+    hair.begin(scene.cards ? nullptr : scene.hair, picture.constants, detail, quality.samples > 1,
+               head.occlusion());
     drawn.resize(static_cast<std::size_t>(picture.target.width) * static_cast<std::size_t>(picture.target.height) * 4);
     drawnLinear.resize(quality.linear ? drawn.size() : 0);
     underWay = picture;

@@ -106,6 +106,7 @@ void StrandPoints::resize(std::size_t points)
         row->resize(points * kBlockLanes);
     colour.resize(points * kBlockLanes);
     fraction.resize(points);
+    mayBeSeen.resize(points, (1U << kBlockLanes) - 1);
 }
 
 } // namespace hairpaint::rendering

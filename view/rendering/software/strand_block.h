@@ -5,6 +5,7 @@
 #include "sim/groom/strand_look.h"
 #include "view/rendering/coat_axis.h"
 #include "view/rendering/light/hair_light.h"
+#include "view/rendering/software/occlusion_cells.h"
 
 #include <glm/glm.hpp>
 
@@ -97,6 +98,7 @@ struct StrandView
     bool inEveryColumn = true; ///< Whether those lie in every column, see DepthOfCoat.
     /// Fraction of the drawn hairs that is left where others hide them by half and more; 1 where all are drawn.
     float deepFraction = 1.0F;
+    OcclusionCells head{};
     HairLighting lighting;
 };
 
@@ -119,7 +121,7 @@ struct SpanSegments
     }
 };
 
-/// Points of sixteen strands, projected and lit. Rows [point][kBlockLanes].
+/// Points of sixteen strands, projected, and lit where they end a segment that may be seen. Rows [point][kBlockLanes].
 struct StrandPoints
 {
     std::vector<float> pointsWo; ///< [point][3][kBlockLanes]
@@ -130,6 +132,8 @@ struct StrandPoints
     std::vector<float> width;    ///< Samples covered across the segment's main direction; 0 where it is not seen.
     std::vector<std::uint32_t>
         colour; ///< Square roots of the light / kMostLight, 10 bits each from the lowest: r, g, b.
+    /// [segment], a bit a lane: not beside the picture, and not surely hidden by the head.
+    std::vector<std::uint32_t> mayBeSeen;
     void resize(std::size_t points);
 };
 

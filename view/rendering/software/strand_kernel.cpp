@@ -12,6 +12,7 @@
 #include "view/rendering/light/tone_inl.h"
 #include "view/rendering/software/curve_inl.h"
 #include "view/rendering/software/grid_lookup_inl.h"
+#include "view/rendering/software/head_occlusion_inl.h"
 #include <algorithm>
 #include <hwy/highway.h>
 
@@ -23,6 +24,7 @@ constexpr float kDeepTo = 1.6F;         ///< and from which on StrandView::deepF
 constexpr float kLeastShade = 0.05F;    ///< Coverings above which the eye's grid is read again, out of the coat.
 constexpr float kGreatestWidth = 24.0F; ///< Greatest width, samples: wider strands would look like straw.
 constexpr float kMostSlant = 1.42F;
+constexpr float kSureDepths = 2.0F; ///< Depths behind the head from which on rounding leaves nothing in front of it.
 constexpr int kMostJoinedSpans = 4; ///< Most spans in one segment: light is computed at its ends only.
 constexpr float kNearestDrawnM = 0.01F;
 constexpr float kSegmentsOfDyedSpan = 4.0F; ///< Segments of a span in which the tip colour begins or becomes whole.
@@ -165,6 +167,64 @@ HWY_INLINE Lanes wideningOf(const StrandView& view, Lanes order, Lanes towardEye
     return kept / least(fraction * Lanes(1.0F + 0.5F * kFadingPart), Lanes(1.0F));
 }
 
+/// Greatest factor that wideningOf() gives.
+float mostWidening(const StrandView& view)
+{
+    const float fraction = view.fraction * std::min(view.deepFraction, 1.0F);
+    return 1.0F / std::min(fraction * (1.0F + 0.5F * kFadingPart), 1.0F);
+}
+
+/// A point as the picture has it.
+struct ScreenPoint
+{
+    Lanes across, up; ///< -1..1 in the picture.
+    Lanes awayM;      ///< Along the view,
+    Lanes perAway;    ///< and 1 over it.
+    Lanes x, y;       ///< Samples.
+    Lanes depth;      ///< 0..65535
+};
+
+HWY_INLINE ScreenPoint onScreen(const StrandView& view, const Triple<Lanes>& wo)
+{
+    const Triple<Lanes> clip = projected(view.projectionFromWo, wo, 1.0F);
+    ScreenPoint point;
+    point.awayM = clip.z;
+    point.perAway = Lanes(1.0F) / most(clip.z, Lanes(kNearestDrawnM));
+    point.across = clip.x * point.perAway;
+    point.up = clip.y * point.perAway;
+    point.x = (point.across * Lanes(0.5F) + Lanes(0.5F)) * Lanes(view.sizeSp.x);
+    point.y = (point.up * Lanes(0.5F) + Lanes(0.5F)) * Lanes(view.sizeSp.y);
+    point.depth = clamped((clip.z - Lanes(view.nearestM)) * Lanes(view.depthsPerM), 0.0F, 65535.0F);
+    return point;
+}
+
+/// False where a segment surely lies beside the picture or behind the head. `widest`: no less than its width at a
+/// distance of 1 m, samples.
+HWY_INLINE Yes mayBeSeen(const StrandView& view, const ScreenPoint& a, const ScreenPoint& b, Lanes widest)
+{
+    const Lanes width = least(widest * most(a.perAway, b.perAway), Lanes(kGreatestWidth)) * Lanes(kMostSlant);
+    const Lanes reach = Lanes(1.0F) + width * Lanes(0.5F);
+    const ScreenBox box{.lowX = least(a.x, b.x) - reach,
+                        .lowY = least(a.y, b.y) - reach,
+                        .highX = most(a.x, b.x) + reach,
+                        .highY = most(a.y, b.y) + reach};
+    const Yes beside = (box.highX <= Lanes(0.0F)) | (box.highY <= Lanes(0.0F)) | (box.lowX >= Lanes(view.sizeSp.x)) |
+                       (box.lowY >= Lanes(view.sizeSp.y));
+    if (view.head.beyondM == nullptr)
+        return !beside;
+    const Lanes beyond =
+        (hiddenBeyondM(view.head, box, view.sizeSp) - Lanes(view.nearestM)) * Lanes(view.depthsPerM);
+    return !(beside | (least(a.depth, b.depth) > beyond + Lanes(kSureDepths)));
+}
+
+/// A bit a lane.
+HWY_INLINE std::uint32_t bitsOf(Yes yes)
+{
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(Tag(), yes.m, bytes);
+    return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8U;
+}
+
 void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanSegments& spans, std::size_t lane,
                    StrandPoints& out)
 {
@@ -199,31 +259,46 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
     const float* pointsWo = out.pointsWo.data() + lane;
     const auto at = [&](int j) { return loaded3(pointsWo + static_cast<std::size_t>(j) * kRow); };
     const float before = kOutOfCoatVoxels / static_cast<float>(view.gridSide);
+    const Lanes widest = own * Lanes(mostWidening(view) * std::max(view.rootAlpha, view.tipAlpha) *
+                                     std::sqrt(std::max(view.sectionAxes, 1.0F)));
     Triple<Lanes> last = at(0);
     Triple<Lanes> here = last;
-    for (int j = 0; j <= segments; ++j) {
-        const Triple<Lanes> next = at(std::min(j + 1, segments));
+    Triple<Lanes> next = last;
+    ScreenPoint screenNext = onScreen(view, next);
+    Yes segmentNext = noLane();
+    const auto step = [&] {
+        last = here;
+        here = next;
+    };
+    for (int j = 0; j <= segments; ++j, step()) {
         const std::size_t row = static_cast<std::size_t>(j) * kMostLanes + lane;
-        const Triple<Lanes> clip = projected(view.projectionFromWo, here, 1.0F);
-        const Lanes perW = Lanes(1.0F) / most(clip.z, Lanes(kNearestDrawnM));
-        const Lanes across = clip.x * perW;
-        const Lanes up = clip.y * perW;
-        stored((across * Lanes(0.5F) + Lanes(0.5F)) * Lanes(view.sizeSp.x), out.x.data() + row);
-        stored((up * Lanes(0.5F) + Lanes(0.5F)) * Lanes(view.sizeSp.y), out.y.data() + row);
-        stored(clamped((clip.z - Lanes(view.nearestM)) * Lanes(view.depthsPerM), 0.0F, 65535.0F),
-               out.depth.data() + row);
+        const ScreenPoint screen = screenNext;
+        stored(screen.x, out.x.data() + row);
+        stored(screen.y, out.y.data() + row);
+        stored(screen.depth, out.depth.data() + row);
+        Yes wanted = segmentNext; // An end of a segment that may be seen.
+        if (j < segments) {
+            next = at(j + 1);
+            screenNext = onScreen(view, next);
+            segmentNext = mayBeSeen(view, screen, screenNext, widest);
+            wanted = wanted | segmentNext;
+            std::uint32_t& bits = out.mayBeSeen[static_cast<std::size_t>(j)];
+            bits = (lane > 0 ? bits : 0U) | bitsOf(segmentNext) << lane;
+        }
+        if (!any(wanted)) {
+            stored(Lanes(0.0F), out.width.data() + row);
+            continue;
+        }
 
         // What hides hair half lies nearer than what shades it.
-        const Triple<Lanes> toEye = inEyeGrid(view.eyeGrid, across, up, clip.z, before);
+        const Triple<Lanes> toEye = inEyeGrid(view.eyeGrid, screen.across, screen.up, screen.awayM, before);
         const OpacityTwice eyeward = opacityTwice(view.opacity[1], view.gridSide, toEye);
         const Lanes spread = own * wideningOf(view, order, eyeward.further);
-        const Yes seen = (clip.z > Lanes(kNearestDrawnM)) &
+        const Yes seen = wanted & (screen.awayM > Lanes(kNearestDrawnM)) &
                          (Lanes(view.undrawnCoverings) > (view.inEveryColumn ? eyeward.inEveryColumn : eyeward.here)) &
                          (spread > Lanes(0.0F));
         if (!any(seen)) {
             stored(Lanes(0.0F), out.width.data() + row);
-            last = here;
-            here = next;
             continue;
         }
         const Triple<Lanes> toLight = outOfCoat(inGrid(view.gridFromWo, here, before), view.coatAxes[0], view.gridSide);
@@ -244,8 +319,8 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
 
         // Thickness is measured across the walk's main direction, so slanted strands need more.
         const Triple<Lanes> clipAlong = projected(view.projectionFromWo, tangent, 0.0F);
-        const Lanes alongX = (clipAlong.x - across * clipAlong.z) * Lanes(view.sizeSp.x);
-        const Lanes alongY = (clipAlong.y - up * clipAlong.z) * Lanes(view.sizeSp.y);
+        const Lanes alongX = (clipAlong.x - screen.across * clipAlong.z) * Lanes(view.sizeSp.x);
+        const Lanes alongY = (clipAlong.y - screen.up * clipAlong.z) * Lanes(view.sizeSp.y);
         const Lanes squareX = alongX * alongX;
         const Lanes squareY = alongY * alongY;
         const Lanes slant = root((squareX + squareY) / most(most(squareX, squareY), Lanes(1e-20F)));
@@ -257,7 +332,7 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
                                           loaded(block.lengthM.data() + lane), loaded(block.phase.data() + lane),
                                           variation, Lanes(s));
         const Lanes width =
-            least(spread * perW * alpha * section.width, Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
+            least(spread * screen.perAway * alpha * section.width, Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
         stored(select(seen, width, Lanes(0.0F)), out.width.data() + row);
 
         const Lanes behind = most(columnAt(view.opacity[1], view.gridSide, toEye) - eyeward.here, Lanes(0.0F));
@@ -269,8 +344,6 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
         const Ints packed =
             hn::Or(hn::Or(tenBits(lit.x), hn::ShiftLeft<10>(tenBits(lit.y))), hn::ShiftLeft<20>(tenBits(lit.z)));
         hn::StoreU(packed, di, reinterpret_cast<std::int32_t*>(out.colour.data()) + row);
-        last = here;
-        here = next;
     }
 }
 

@@ -17,11 +17,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
-/// Hair that lies flat dips into the skin here and there; it is shown all the same.
-constexpr float kSkinDepthM = 0.015F;
-/// What is worn hides the hair that it presses down.
-constexpr float kWornDepthM = 0.0005F;
-
 /// Colour from 10 bits each, linear; the fourth is -1, so that adding it takes from what is left to see through.
 HWY_INLINE Quad colourOf(std::uint32_t bits)
 {
@@ -254,6 +249,16 @@ void sortByDepth(TileSamples& samples)
     samples.sorted.resize(entries.size());
     for (const TileEntry& entry : entries)
         samples.sorted[samples.buckets[(entry.depth - nearest) >> shift]++] = entry;
+    if (shift == 0)
+        return;
+    // A bucket holds few; so the order of hair in front does not depend on how far back the tile's farthest lies.
+    for (std::size_t i = 1; i < samples.sorted.size(); ++i) {
+        const TileEntry entry = samples.sorted[i];
+        std::size_t to = i;
+        for (; to > 0 && samples.sorted[to - 1].depth > entry.depth; --to)
+            samples.sorted[to] = samples.sorted[to - 1];
+        samples.sorted[to] = entry;
+    }
 }
 
 void clearTile(const TileTask& task, TileSamples& samples)
@@ -291,7 +296,7 @@ void layAll(const TileTask& task, SegmentLists segments, TileSamples& samples)
         for (int y = 0; y < task.height; ++y)
             for (int x = 0; x < task.width; ++x) {
                 const std::size_t at = static_cast<std::size_t>(y) * task.headStride + static_cast<std::size_t>(x);
-                const float behindM = task.worn != nullptr && task.worn[at] != 0 ? kWornDepthM : kSkinDepthM;
+                const float behindM = hairShownBehindM(task.worn != nullptr && task.worn[at] != 0);
                 const float depth = (task.headDistanceM[at] + behindM - task.nearestM) * task.depthsPerM;
                 samples.headDepth.at(static_cast<std::size_t>(inTile(x, y))) = depth;
                 nearestHead = std::min(nearestHead, depth);

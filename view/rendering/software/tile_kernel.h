@@ -19,6 +19,15 @@ struct HeadSample
     std::uint16_t cover = 0; ///< Fraction of the sample that the head covers, 0..65535.
 };
 
+/// How far behind the head's surface hair is shown, m: hair that lies flat dips into the skin here and there, but what is
+/// worn hides the hair that it presses down.
+[[nodiscard]] constexpr float hairShownBehindM(bool isWorn)
+{
+    constexpr float kSkinDepthM = 0.015F;
+    constexpr float kWornDepthM = 0.0005F;
+    return isWorn ? kWornDepthM : kSkinDepthM;
+}
+
 inline constexpr int kTileRow = kTileSp + 2; ///< A tile's samples with one more around it, which is never seen.
 
 /// Index of a sample in an array of kTileRow rows.
