@@ -7,6 +7,7 @@
 #include "view/rendering/software/strand_kernel.h"
 
 #include <algorithm>
+#include <hwy/cache_control.h>
 #include <limits>
 #include <numeric>
 
@@ -192,6 +193,37 @@ void HairSegments::drawBatch(std::size_t number)
     batch.sort(m_tiles, scratch.segments);
     m_batchSegments[number] = all;
     m_usedBytes += batch.usedBytes();
+}
+
+void HairSegments::collect(std::size_t tile, TileSamples& samples) const
+{
+    // Little of it is in the caches, so it is fetched a pass ahead.
+    std::size_t count = 0;
+    for (std::size_t b = 0; b < m_batchCount; ++b) {
+        const TileEntry* first = m_batches[b].begin(tile);
+        hwy::Prefetch(first);
+        count += static_cast<std::size_t>(m_batches[b].end(tile) - first);
+    }
+    samples.entries.resize(count);
+    samples.segments.resize(count);
+    auto to = samples.entries.begin();
+    for (std::size_t b = 0; b < m_batchCount; ++b) {
+        const SegmentBatch& batch = m_batches[b];
+        for (const TileEntry* entry = batch.begin(tile); entry != batch.end(tile); ++entry, ++to) {
+            *to = *entry;
+            hwy::Prefetch(batch.segments() + entry->piece.segment());
+        }
+    }
+    std::uint32_t number = 0;
+    for (std::size_t b = 0; b < m_batchCount; ++b) {
+        const SegmentBatch& batch = m_batches[b];
+        const auto end = number + static_cast<std::uint32_t>(batch.end(tile) - batch.begin(tile));
+        for (; number < end; ++number) {
+            SegmentPiece& piece = samples.entries[number].piece;
+            samples.segments[number] = batch.segments()[piece.segment()];
+            piece = piece.renumbered(number);
+        }
+    }
 }
 
 void HairSegments::setRows(int firstUp, int endUp)

@@ -35,7 +35,8 @@ public:
     [[nodiscard]] bool isTooMuch() const { return m_usedBytes > m_mostBatchBytes && m_tiles.rows() > 1; }
     /// From now on these rows of tiles are drawn; the batches are to be drawn anew.
     void setRows(int firstUp, int endUp);
-    [[nodiscard]] const SegmentBatch& batch(std::size_t number) const { return m_batches[number]; }
+    /// Fills entries and segments of a tile of the rows that are drawn, after all batches.
+    void collect(std::size_t tile, TileSamples& samples) const;
     [[nodiscard]] const OpacityGrids& grids() const { return m_grids; }
     [[nodiscard]] const TileGrid& tiles() const { return m_tiles; }
     [[nodiscard]] std::size_t hairs() const { return m_hairs; }

@@ -55,7 +55,8 @@ void HeadOcclusion::resize(int width, int height)
 void HeadOcclusion::fillRows(const Picture& picture, int firstRow, int endRow, bool anyHead)
 {
     for (int y = firstRow; y < endRow; y += kOcclusionCellSp) {
-        float* row = m_beyondM.data() + static_cast<std::size_t>(y / kOcclusionCellSp) * static_cast<std::size_t>(m_across);
+        float* row =
+            m_beyondM.data() + static_cast<std::size_t>(y / kOcclusionCellSp) * static_cast<std::size_t>(m_across);
         for (int x = 0; x < m_across; ++x)
             row[x] = anyHead ? beyondIn(picture, x * kOcclusionCellSp, y) : kNothingHiddenM;
     }

@@ -37,8 +37,7 @@ HWY_INLINE Lanes hiddenBeyondM(const OcclusionCells& cells, const ScreenBox& box
     }
     const Lanes x = clamped(box.lowX, 0.0F, sizeSp.x - 1.0F) * perCell;
     const Lanes y = floored(clamped(box.lowY, 0.0F, sizeSp.y - 1.0F) * perCell) + firstRow;
-    const Ints index =
-        hn::Add(hn::Mul(hn::ConvertTo(di, y.v), hn::Set(di, cells.across)), hn::ConvertTo(di, x.v));
+    const Ints index = hn::Add(hn::Mul(hn::ConvertTo(di, y.v), hn::Set(di, cells.across)), hn::ConvertTo(di, x.v));
     const Lanes found(hn::GatherIndex(Tag(), cells.beyondM, index));
     return select(extent <= Lanes(size), found, Lanes(std::numeric_limits<float>::max()));
 }

@@ -156,7 +156,7 @@ void SegmentBatch::sort(const TileGrid& tiles, SegmentScratch& scratch)
         m_tileBegin[tile + 1] += m_tileBegin[tile];
     reserveMore(m_sorted, 0, m_sortedCount);
     for (auto found = scratch.found.begin(); found != end; ++found)
-        m_sorted[m_tileBegin[found->tile]++] = {.piece = found->piece, .depth = found->depth, .batch = 0};
+        m_sorted[m_tileBegin[found->tile]++] = {.piece = found->piece, .depth = found->depth};
     // Each now holds its end, which is the next one's beginning.
     for (std::size_t tile = tiles.count(); tile > 0; --tile)
         m_tileBegin[tile] = m_tileBegin[tile - 1];

@@ -39,7 +39,7 @@ struct SegmentBounds
 struct SegmentPiece
 {
     static constexpr unsigned kNumberBits = 28;
-    std::uint32_t bits; ///< The segment's number in its batch, the first cell in two bits, the last in two.
+    std::uint32_t bits; ///< The segment's number in its list, the first cell in two bits, the last in two.
     [[nodiscard]] static SegmentPiece of(std::uint32_t segment, int firstCell, int lastCell)
     {
         return {segment | static_cast<std::uint32_t>(firstCell) << kNumberBits |
@@ -48,6 +48,11 @@ struct SegmentPiece
     [[nodiscard]] std::uint32_t segment() const { return bits & ((1U << kNumberBits) - 1); }
     [[nodiscard]] int firstCell() const { return static_cast<int>((bits >> kNumberBits) & 3U); }
     [[nodiscard]] int lastCell() const { return static_cast<int>(bits >> (kNumberBits + 2)); }
+    /// The same piece where the segment stands in another list.
+    [[nodiscard]] SegmentPiece renumbered(std::uint32_t segment) const
+    {
+        return {(bits & ~((1U << kNumberBits) - 1)) | segment};
+    }
 };
 static_assert(kCells == 4);
 
@@ -55,8 +60,7 @@ static_assert(kCells == 4);
 struct TileEntry
 {
     SegmentPiece piece;
-    std::uint16_t depth; ///< Depth of its middle.
-    std::uint16_t batch; ///< Number of its batch; not set in a SegmentBatch.
+    std::uint32_t depth; ///< Depth of its middle, 0..65535.
 };
 
 struct TileGrid

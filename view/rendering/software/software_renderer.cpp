@@ -61,7 +61,6 @@ struct SoftwareRenderer::State
     HeadPicture head;
     std::size_t mostBytes;
     HairSegments hair{mostBytes};
-    std::vector<const ScreenSegment*> segments; ///< [batches] first segment of each.
     std::vector<float> skinShade;
     std::vector<float> hiddenBehind; ///< In the cells of skinShade.
     glm::ivec2 shadeSize{0};
@@ -75,7 +74,6 @@ struct SoftwareRenderer::State
     explicit State(std::size_t mostHeldBytes) : mostBytes(mostHeldBytes) {}
     void prepare(const Scene& scene, const Quality& quality, int width, int height);
     void drawBatches(std::size_t count);
-    void readyTiles();
     void drawRows(int firstUp, int rows);
     [[nodiscard]] double fraction() const;
     void drawTiles(std::size_t count);
@@ -96,8 +94,7 @@ void SoftwareRenderer::State::prepare(const Scene& scene, const Quality& quality
     picture.constants = frameConstants(scene, picture.target, skull.radiusM(scene.head));
     const float detail = std::clamp(quality.detail, 1.0F / 1024.0F, 1.0F);
     head.update(scene, quality.coarseHead, picture.constants);
-    hair.begin(scene.cards ? nullptr : scene.hair, picture.constants, detail, quality.samples > 1,
-               head.occlusion());
+    hair.begin(scene.cards ? nullptr : scene.hair, picture.constants, detail, quality.samples > 1, head.occlusion());
     drawn.resize(static_cast<std::size_t>(picture.target.width) * static_cast<std::size_t>(picture.target.height) * 4);
     drawnLinear.resize(quality.linear ? drawn.size() : 0);
     underWay = picture;
@@ -111,16 +108,6 @@ void SoftwareRenderer::State::drawBatches(std::size_t count)
             hair.drawBatch(first + i);
     });
     underWay->nextBatch += count;
-}
-
-/// Prepares the tiles, after the last batch of hair.
-void SoftwareRenderer::State::readyTiles()
-{
-    segments.clear();
-    for (std::size_t batch = 0; batch < hair.batchCount(); ++batch)
-        segments.push_back(hair.batch(batch).segments());
-    if (hair.tiles().firstUp == 0)
-        shade();
 }
 
 void SoftwareRenderer::State::shade()
@@ -180,16 +167,10 @@ void SoftwareRenderer::State::drawTile(std::size_t tile)
     task.opaque = picture.target.samples.x > 1 ? kFineOpaque : kCoarseOpaque;
     task.nearestM = hair.nearestM();
     task.depthsPerM = hair.depthsPerM();
-    samples.entries.clear();
-    for (std::size_t b = 0; b < hair.batchCount(); ++b) {
-        const SegmentBatch& batch = hair.batch(b);
-        for (const TileEntry* entry = batch.begin(tile); entry != batch.end(tile); ++entry)
-            samples.entries.push_back(
-                {.piece = entry->piece, .depth = entry->depth, .batch = static_cast<std::uint16_t>(b)});
-    }
+    hair.collect(tile, samples);
     task.bare = samples.entries.empty() && !task.anyHead && drawnLinear.empty();
     if (!task.bare)
-        layHair(task, segments, samples);
+        layHair(task, samples);
     const ResolveTask resolve{.samplesX = picture.target.samples.x,
                               .samplesY = picture.target.samples.y,
                               .firstPixelX = task.x0 / picture.target.samples.x,
@@ -253,8 +234,8 @@ bool SoftwareRenderer::State::piece(std::size_t batches, std::size_t tiles)
         drawRows(hair.tiles().endUp, hair.tiles().rows());
         return true;
     }
-    if (underWay->nextTile == 0)
-        readyTiles();
+    if (underWay->nextTile == 0 && hair.tiles().firstUp == 0)
+        shade();
     drawTiles(std::min(tiles, tilesLeft));
     return true;
 }

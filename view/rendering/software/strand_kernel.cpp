@@ -212,8 +212,7 @@ HWY_INLINE Yes mayBeSeen(const StrandView& view, const ScreenPoint& a, const Scr
                        (box.lowY >= Lanes(view.sizeSp.y));
     if (view.head.beyondM == nullptr)
         return !beside;
-    const Lanes beyond =
-        (hiddenBeyondM(view.head, box, view.sizeSp) - Lanes(view.nearestM)) * Lanes(view.depthsPerM);
+    const Lanes beyond = (hiddenBeyondM(view.head, box, view.sizeSp) - Lanes(view.nearestM)) * Lanes(view.depthsPerM);
     return !(beside | (least(a.depth, b.depth) > beyond + Lanes(kSureDepths)));
 }
 
@@ -331,8 +330,8 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
             section = of_lanes::sectionAt(Lanes(view.sectionAxes), loaded(block.turns.data() + lane),
                                           loaded(block.lengthM.data() + lane), loaded(block.phase.data() + lane),
                                           variation, Lanes(s));
-        const Lanes width =
-            least(spread * screen.perAway * alpha * section.width, Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
+        const Lanes width = least(spread * screen.perAway * alpha * section.width, Lanes(kGreatestWidth)) *
+                            least(slant, Lanes(kMostSlant));
         stored(select(seen, width, Lanes(0.0F)), out.width.data() + row);
 
         const Lanes behind = most(columnAt(view.opacity[1], view.gridSide, toEye) - eyeward.here, Lanes(0.0F));

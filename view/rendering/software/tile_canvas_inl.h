@@ -52,9 +52,10 @@ HWY_INLINE float coverBeforeHead(const Canvas& canvas, int x, int y, float depth
     return cover * (1.0F - static_cast<float>(canvas.task.head[at].cover) * (1.0F / 65535.0F));
 }
 
-/// Whether all cells that the walk may touch between two positions along its main direction are opaque.
-template<bool kSteep>
-HWY_INLINE bool isClosed(Canvas& canvas, unsigned cell, float from, float to, float reach)
+/// Whether all cells that the walk may touch between two positions along its main direction are opaque, or with kHead
+/// lie behind the head. `nearest`: the walk's least depth.
+template<bool kSteep, bool kHead>
+HWY_INLINE bool isClosed(Canvas& canvas, unsigned cell, float from, float to, float reach, float nearest)
 {
     const float low = std::min(from, to) - reach;
     const float high = std::max(from, to) + reach;
@@ -63,9 +64,15 @@ HWY_INLINE bool isClosed(Canvas& canvas, unsigned cell, float from, float to, fl
     constexpr auto kLast = static_cast<float>(kTileSp - 1);
     const unsigned first = static_cast<unsigned>(static_cast<int>(std::max(low, 0.0F))) / kCellSp;
     const unsigned last = static_cast<unsigned>(static_cast<int>(std::min(high, kLast))) / kCellSp;
-    for (unsigned c = first; c <= last; ++c)
-        if (!isOpaque(canvas, kSteep ? c : cell, kSteep ? cell : c))
+    for (unsigned c = first; c <= last; ++c) {
+        const unsigned x = kSteep ? c : cell;
+        const unsigned y = kSteep ? cell : c;
+        if constexpr (kHead)
+            if (nearest > canvas.samples.hiddenBeyond[y][x])
+                continue;
+        if (!isOpaque(canvas, x, y))
             return false;
+    }
     return true;
 }
 

@@ -9,6 +9,7 @@
 #include "view/rendering/software/sample_pair_inl.h"
 #include "view/rendering/software/tile_canvas_inl.h"
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
@@ -209,12 +210,14 @@ HWY_INLINE void layOne(Canvas& canvas, const ScreenSegment& segment, SegmentPiec
         else
             layWide<kSteep, kHead>(canvas, from, to, at, step);
     };
+    constexpr float kSureDepths = 2.0F; // Steps round.
+    const float nearest = std::min(walk.depth0, walk.depth1) - kSureDepths;
     const auto cellOf = [](int sample) { return static_cast<unsigned>(sample) / kCellSp; };
     const auto endOfCell = [&](int sample) { return std::min(static_cast<int>(cellOf(sample) + 1) * kCellSp, end); };
     const auto closedAt = [&](int sample) {
         const float first = walk.across0 + slope * along(sample);
         const float last = first + slope * static_cast<float>(endOfCell(sample) - 1 - sample);
-        return isClosed<kSteep>(canvas, cellOf(sample), first, last, reach);
+        return isClosed<kSteep, kHead>(canvas, cellOf(sample), first, last, reach, nearest);
     };
     for (int from = begin; from < end;) {
         int to = from;
@@ -226,7 +229,22 @@ HWY_INLINE void layOne(Canvas& canvas, const ScreenSegment& segment, SegmentPiec
     }
 }
 
-/// Sorts by depth, equals in the order in which they came.
+/// Appends `from` to `to` in the order of bits of their depths over `nearest`, equals in the order in which they came.
+/// `counts`: how many have each value of these bits; becomes garbage.
+void sortByBits(std::span<const TileEntry> from, std::uint32_t nearest, unsigned shift, std::span<std::uint32_t> counts,
+                std::vector<TileEntry>& to)
+{
+    std::uint32_t sum = 0;
+    for (std::uint32_t& count : counts)
+        sum += std::exchange(count, sum);
+    to.resize(from.size());
+    const std::uint32_t mask = static_cast<std::uint32_t>(counts.size()) - 1;
+    for (const TileEntry& entry : from)
+        to[counts[((entry.depth - nearest) >> shift) & mask]++] = entry;
+}
+
+/// Sorts by depth, equals in the order in which they came. What lies far behind makes no difference to the order in
+/// front, so that it may be left out.
 void sortByDepth(TileSamples& samples)
 {
     std::vector<TileEntry>& entries = samples.entries;
@@ -236,29 +254,23 @@ void sortByDepth(TileSamples& samples)
         nearest = std::min<std::uint32_t>(nearest, entry.depth);
         farthest = std::max<std::uint32_t>(farthest, entry.depth);
     }
-    unsigned shift = 0;
-    while (((farthest - nearest) >> shift) >= samples.buckets.size())
-        ++shift;
-    const std::size_t used = ((farthest - nearest) >> shift) + 1;
-    std::fill_n(samples.buckets.begin(), used, 0U);
-    for (const TileEntry& entry : entries)
-        ++samples.buckets[(entry.depth - nearest) >> shift];
-    std::uint32_t sum = 0;
-    for (std::size_t i = 0; i < used; ++i)
-        sum += std::exchange(samples.buckets[i], sum);
-    samples.sorted.resize(entries.size());
-    for (const TileEntry& entry : entries)
-        samples.sorted[samples.buckets[(entry.depth - nearest) >> shift]++] = entry;
-    if (shift == 0)
-        return;
-    // A bucket holds few; so the order of hair in front does not depend on how far back the tile's farthest lies.
-    for (std::size_t i = 1; i < samples.sorted.size(); ++i) {
-        const TileEntry entry = samples.sorted[i];
-        std::size_t to = i;
-        for (; to > 0 && samples.sorted[to - 1].depth > entry.depth; --to)
-            samples.sorted[to] = samples.sorted[to - 1];
-        samples.sorted[to] = entry;
+    const auto bits = static_cast<unsigned>(std::bit_width(farthest - nearest));
+    const unsigned low = bits - std::min(bits, TileSamples::kBucketBits);
+    const std::span<std::uint32_t> lowCounts = std::span(samples.lowBuckets).first(std::size_t{1} << low);
+    const std::span<std::uint32_t> counts = std::span(samples.buckets).first(std::size_t{1} << (bits - low));
+    std::fill(lowCounts.begin(), lowCounts.end(), 0U);
+    std::fill(counts.begin(), counts.end(), 0U);
+    const std::uint32_t lowMask = static_cast<std::uint32_t>(lowCounts.size()) - 1;
+    for (const TileEntry& entry : entries) {
+        const std::uint32_t depth = entry.depth - nearest;
+        ++lowCounts[depth & lowMask];
+        ++counts[depth >> low];
     }
+    if (low > 0) {
+        sortByBits(entries, nearest, 0, lowCounts, samples.sorted);
+        std::swap(entries, samples.sorted);
+    }
+    sortByBits(entries, nearest, low, counts, samples.sorted);
 }
 
 void clearTile(const TileTask& task, TileSamples& samples)
@@ -284,7 +296,7 @@ void clearTile(const TileTask& task, TileSamples& samples)
             stored(quadOf(clear), samples.light.data() + 4 * static_cast<std::ptrdiff_t>(inTile(x, y)));
 }
 
-void layAll(const TileTask& task, SegmentLists segments, TileSamples& samples)
+void layAll(const TileTask& task, TileSamples& samples)
 {
     clearTile(task, samples);
     if (samples.entries.empty())
@@ -292,7 +304,10 @@ void layAll(const TileTask& task, SegmentLists segments, TileSamples& samples)
     sortByDepth(samples);
     float nearestHead = 1e9F;
     if (task.anyHead) {
-        samples.headDepth.fill(1e9F);
+        constexpr float kNowhere = 1e9F;
+        constexpr std::uint16_t kWhole = 0xFFFF;
+        samples.headDepth.fill(kNowhere);
+        samples.hiddenBeyond.fill({});
         for (int y = 0; y < task.height; ++y)
             for (int x = 0; x < task.width; ++x) {
                 const std::size_t at = static_cast<std::size_t>(y) * task.headStride + static_cast<std::size_t>(x);
@@ -300,6 +315,9 @@ void layAll(const TileTask& task, SegmentLists segments, TileSamples& samples)
                 const float depth = (task.headDistanceM[at] + behindM - task.nearestM) * task.depthsPerM;
                 samples.headDepth.at(static_cast<std::size_t>(inTile(x, y))) = depth;
                 nearestHead = std::min(nearestHead, depth);
+                float& beyond =
+                    samples.hiddenBeyond[static_cast<std::size_t>(y / kCellSp)][static_cast<std::size_t>(x / kCellSp)];
+                beyond = std::max(beyond, task.head[at].cover == kWhole ? depth : kNowhere);
             }
     }
     const int cellsAcross = (task.width + kCellSp - 1) / kCellSp; // The rest lies beside the picture.
@@ -308,9 +326,9 @@ void layAll(const TileTask& task, SegmentLists segments, TileSamples& samples)
     constexpr std::size_t kAhead = 8;
     for (std::size_t i = 0; i < samples.sorted.size() && canvas.openCells > 0; ++i) {
         const TileEntry& ahead = samples.sorted[std::min(i + kAhead, samples.sorted.size() - 1)];
-        hwy::Prefetch(&segments[ahead.batch][ahead.piece.segment()]);
+        hwy::Prefetch(&samples.segments[ahead.piece.segment()]);
         const TileEntry& entry = samples.sorted[i];
-        const ScreenSegment& segment = segments[entry.batch][entry.piece.segment()];
+        const ScreenSegment& segment = samples.segments[entry.piece.segment()];
         const bool steep = std::abs(segment.y1 - segment.y0) > std::abs(segment.x1 - segment.x0);
         const bool head = static_cast<float>(std::max(segment.depth[0], segment.depth[1])) > nearestHead;
         if (head)
@@ -330,9 +348,9 @@ namespace hairpaint::rendering {
 
 HWY_EXPORT(layAll);
 
-void layHair(const TileTask& task, SegmentLists segments, TileSamples& samples)
+void layHair(const TileTask& task, TileSamples& samples)
 {
-    HWY_DYNAMIC_DISPATCH(layAll)(task, segments, samples);
+    HWY_DYNAMIC_DISPATCH(layAll)(task, samples);
 }
 
 } // namespace hairpaint::rendering

@@ -19,8 +19,8 @@ struct HeadSample
     std::uint16_t cover = 0; ///< Fraction of the sample that the head covers, 0..65535.
 };
 
-/// How far behind the head's surface hair is shown, m: hair that lies flat dips into the skin here and there, but what is
-/// worn hides the hair that it presses down.
+/// How far behind the head's surface hair is shown, m: hair that lies flat dips into the skin here and there, but what
+/// is worn hides the hair that it presses down.
 [[nodiscard]] constexpr float hairShownBehindM(bool isWorn)
 {
     constexpr float kSkinDepthM = 0.015F;
@@ -43,10 +43,16 @@ struct TileSamples
     alignas(64) std::array<float, 4UL * kTileRow * kTileRow> light;
     /// The first sample of a cell that is not known to be opaque, counted along the cell's rows.
     std::array<std::array<std::uint8_t, kCells>, kCells> firstOpen;
+    /// Copies of what the entries' pieces belong to: in the order of depths, neighbours lie far apart in their batches.
+    std::vector<ScreenSegment> segments;
     std::vector<TileEntry> entries;
     std::vector<TileEntry> sorted;
-    std::array<std::uint32_t, 2048> buckets;
+    static constexpr unsigned kBucketBits = 11; ///< Of a depth's 16; sorting by the others goes before.
+    std::array<std::uint32_t, 1U << kBucketBits> buckets;
+    std::array<std::uint32_t, 1U << (16U - kBucketBits)> lowBuckets;
     std::array<float, 1UL * kTileRow * kTileRow> headDepth; ///< Depth a little behind the skin, in segments' units.
+    /// The same by cells: beyond it the head covers all of a cell.
+    std::array<std::array<float, kCells>, kCells> hiddenBeyond;
 };
 
 struct TileTask
@@ -66,10 +72,7 @@ struct TileTask
     float depthsPerM = 0.0F;
 };
 
-/// [batches] first segment of each batch.
-using SegmentLists = std::span<const ScreenSegment* const>;
-
-/// Lays `samples.entries` over the tile, nearest first; `segments` by batch. Fills samples.light.
-void layHair(const TileTask& task, SegmentLists segments, TileSamples& samples);
+/// Lays `samples.entries` over the tile, nearest first. Fills samples.light.
+void layHair(const TileTask& task, TileSamples& samples);
 
 } // namespace hairpaint::rendering
