@@ -7,6 +7,7 @@
 #include "view/rendering/software/opacity_grids.h"
 #include "view/rendering/software/screen_segments.h"
 #include "view/rendering/software/strand_list.h"
+#include "view/rendering/software/tile_kernel.h"
 
 #include <atomic>
 #include <cstddef>
