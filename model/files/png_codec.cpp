@@ -13,13 +13,15 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 namespace hairpaint::model {
 
 namespace {
 
 constexpr int kTile = sim::TiledRaster::kTileSize;
-constexpr int kRgb = 2; // PNG's numbers of colour types
+constexpr int kGrey = 0; // PNG's numbers of colour types
+constexpr int kRgb = 2;
 constexpr int kRgba = 6;
 constexpr std::size_t kPixelBytes = 8;
 constexpr std::uint16_t kVectorBlue = 32768; ///< Blue of layers of vectors, whose two values are in red and green.
@@ -97,12 +99,45 @@ private:
     sim::RasterTilePtr m_lastUniform;
 };
 
-bool isLayer(const PngParts& parts, int size)
+/// As encodeLayer writes it, or grey alone, which is a third of the bytes where a layer of one value covers all.
+bool isLayer(const PngParts& parts, const MapSpec& spec, int size)
 {
     const auto side = static_cast<std::uint32_t>(size);
-    return parts.width == side && parts.height == side && parts.depth == 16 && parts.colourType == kRgba &&
-           !parts.interlaced;
+    return parts.width == side && parts.height == side && parts.depth == 16 && !parts.interlaced &&
+           (parts.colourType == kRgba || (parts.colourType == kGrey && spec.layerChannels() == 2));
 }
+
+/// The rows of a layer's image, grey ones as RGBA.
+class LayerRows
+{
+public:
+    LayerRows(QByteArrayView pixelChunks, int colourType, int size)
+        : m_isGrey(colourType == kGrey),
+          m_rows(pixelChunks, (m_isGrey ? kGreyBytes : kPixelBytes) * static_cast<std::size_t>(size),
+                 m_isGrey ? kGreyBytes : kPixelBytes),
+          m_row(m_isGrey ? kPixelBytes * static_cast<std::size_t>(size) : 0)
+    {}
+
+    /// As PngRows::next().
+    [[nodiscard]] std::span<const std::uint8_t> next()
+    {
+        const std::span<const std::uint8_t> row = m_rows.next();
+        if (!m_isGrey || row.empty())
+            return row;
+        for (std::size_t x = 0; x * kGreyBytes < row.size(); ++x) {
+            const quint64 value = qFromBigEndian<quint16>(row.data() + x * kGreyBytes);
+            qToBigEndian(value << 48U | value << 32U | value << 16U | 0xFFFFU, m_row.data() + x * kPixelBytes);
+        }
+        return m_row;
+    }
+    [[nodiscard]] bool atEnd() { return m_rows.atEnd(); }
+
+private:
+    static constexpr std::size_t kGreyBytes = 2;
+    bool m_isGrey;
+    PngRows m_rows;
+    std::vector<std::uint8_t> m_row;
+};
 
 /// Texels on which nothing is painted.
 void leaveEmpty(std::span<std::uint16_t> texels, const MapSpec& spec)
@@ -114,7 +149,7 @@ void leaveEmpty(std::span<std::uint16_t> texels, const MapSpec& spec)
 }
 
 /// Fills the layer from the top with what rows there are, at most its own; how many they were.
-int takeRows(PngRows& rows, const MapSpec& spec, DecodedLayer& layer)
+int takeRows(LayerRows& rows, const MapSpec& spec, DecodedLayer& layer)
 {
     const int channels = layer.raster.channels();
     const std::uint16_t greatest = texelOps(spec).greatest(spec);
@@ -219,13 +254,13 @@ Checked<DecodedLayer> decodeLayer(const QByteArray& png, const MapSpec& spec, in
     const std::optional<PngParts> parts = readPngParts(png);
     if (!parts)
         return brokenImage();
-    if (!isLayer(*parts, size))
+    if (!isLayer(*parts, spec, size))
         return refuse(say(QT_TRANSLATE_NOOP("Files", "one of its images is not %1 x %1 in 16-bit RGBA")).arg(size));
 
     DecodedLayer layer{.raster = sim::TiledRaster(size, spec.layerChannels()),
-                       .ours = parts->onlyPixelsAndDpi,
+                       .ours = parts->onlyPixelsAndDpi && parts->colourType == kRgba,
                        .checksum = parts->checksum};
-    PngRows rows(parts->pixelChunks, kPixelBytes * static_cast<std::size_t>(size), kPixelBytes);
+    LayerRows rows(parts->pixelChunks, parts->colourType, size);
     if (takeRows(rows, spec, layer) != size || !rows.atEnd())
         return brokenImage();
     return layer;
@@ -235,9 +270,9 @@ SalvagedLayer salvageLayer(const QByteArray& png, const MapSpec& spec, int size)
 {
     DecodedLayer layer{.raster = emptyRaster(spec, size)};
     const std::optional<PngParts> header = readPngHeader(png);
-    if (header && !isLayer(*header, size))
+    if (header && !isLayer(*header, spec, size))
         return {.raster = std::move(layer.raster)};
-    PngRows rows(pixelChunksOf(png), kPixelBytes * static_cast<std::size_t>(size), kPixelBytes);
+    LayerRows rows(pixelChunksOf(png), header ? header->colourType : kRgba, size);
     const int count = takeRows(rows, spec, layer);
     return {.raster = std::move(layer.raster), .rows = count};
 }

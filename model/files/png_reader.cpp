@@ -94,6 +94,8 @@ bool unfilterRow(int pixelBytes, std::uint8_t* row, const std::uint8_t* above, s
 {
     const int filter = row[0];
     switch (pixelBytes) {
+    case 2:
+        return unfilter<2>(filter, row + 1, above + 1, rowBytes);
     case 3:
         return unfilter<3>(filter, row + 1, above + 1, rowBytes);
     case 4:

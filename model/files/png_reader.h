@@ -22,7 +22,7 @@ struct PngParts
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     int depth = 0;      ///< Bits a channel.
-    int colourType = 0; ///< 2 RGB, 6 RGBA, ...
+    int colourType = 0; ///< 0 grey, 2 RGB, 6 RGBA, ...
     bool interlaced = false;
     /// The chunks from the first IDAT to the last; the contents of the IDAT chunks together are one zlib stream.
     QByteArrayView pixelChunks;
@@ -46,7 +46,7 @@ struct PngParts
 class PngRows
 {
 public:
-    /// `pixelBytes`: 3, 4, 6 or 8. What `pixelChunks` shows must outlive this.
+    /// `pixelBytes`: 2, 3, 4, 6 or 8. What `pixelChunks` shows must outlive this.
     PngRows(QByteArrayView pixelChunks, std::size_t rowBytes, int pixelBytes);
     ~PngRows();
     PngRows(const PngRows&) = delete;

@@ -5,6 +5,7 @@
 #include "tests/model/archive_maker.h"
 #include "tests/support/test_program.h"
 
+#include <QBuffer>
 #include <QImage>
 #include <QTest>
 
@@ -94,6 +95,27 @@ private Q_SLOTS:
         const QImage qts = QImage::fromData(png, "png");
         QCOMPARE(ours.size(), QSize(width, height));
         QCOMPARE(ours.convertToFormat(QImage::Format_ARGB32), qts.convertToFormat(QImage::Format_ARGB32));
+    }
+
+    void greyAloneIsALayerThatCoversAll()
+    {
+        QImage image(256, 256, QImage::Format_Grayscale16);
+        const auto valueAt = [](int x, int y) { return static_cast<quint16>(x * 251 + y * 17); };
+        for (int y = 0; y < 256; ++y)
+            for (int x = 0; x < 256; ++x)
+                reinterpret_cast<quint16*>(image.scanLine(y))[x] = valueAt(x, y);
+        QBuffer png;
+        QVERIFY(png.open(QIODevice::WriteOnly) && image.save(&png, "PNG"));
+        QVERIFY(readPngParts(png.data())->colourType == 0);
+        const Checked<DecodedLayer> layer = decodeLayer(png.data(), mapSpec(MapKind::Length), 256);
+        QVERIFY(layer && !layer->ours); // It is written as RGBA.
+        QCOMPARE(salvageLayer(png.data(), mapSpec(MapKind::Length), 256).rows, 256);
+        for (int y = 0; y < 256; ++y)
+            for (int x = 0; x < 256; ++x) {
+                const sim::Texel texel = layer->raster.texel(x, y);
+                QVERIFY(texel[0] == valueAt(x, y) && texel[1] == 65535);
+            }
+        QVERIFY(!decodeLayer(png.data(), mapSpec(MapKind::Colour), 256));
     }
 
     void layersAreReadAsQtReadsThem()

@@ -4,6 +4,7 @@
 #include "app/styles/style_pictures.h"
 #include "model/files/preset_file.h"
 #include "model/styles/preset.h"
+#include "slimming.h"
 #include "styles.h"
 
 #include <QCoreApplication>
@@ -30,6 +31,10 @@ int run(const QString& folder, const QStringList& wanted)
         const QString path = folder + QLatin1Char('/') + QLatin1StringView(style.id) + QStringLiteral(".hairpreset");
         if (const model::Result<void> saved = model::savePreset(preset, path); !saved) {
             std::fprintf(stderr, "%s\n", qPrintable(saved.error().message));
+            return 1;
+        }
+        if (const model::Checked<void> slimmed = slim(path); !slimmed) {
+            std::fprintf(stderr, "%s: %s\n", qPrintable(path), qPrintable(slimmed.error().text));
             return 1;
         }
     }
