@@ -114,6 +114,9 @@ Style locs()
                     user.fill(MapKind::Length, user.length(0.22F));
                     user.fill(MapKind::Braid, entry(kLoc));
                     user.fill(MapKind::Frizz, scalar(0.25F));
+                    // Off the face: a single loc before it would make another outline.
+                    partInTheMiddle(user, {});
+                    combOffFace(user);
                 }};
     style.settings.braidSpacingM = 0.013F;
     style.settings.braidRadiusM = 0.0040F;

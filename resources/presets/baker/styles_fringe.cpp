@@ -161,14 +161,14 @@ Style jawBob()
                     user.fill(MapKind::Clump, scalar(0.25F));
                     for (const float heightM : {0.0F, -0.025F, -0.05F, -0.075F})
                         user.erase(MapKind::Density, {.sizeM = 0.03F, .hardness = 0.9F}, user.level(heightM, 75.0F));
-                    user.part({.reachM = 0.11F}, user.overHead(0.0F, 0.045F, -0.085F));
+                    user.part({.reachM = 0.11F}, user.overHead(0.0F, 0.020F, -0.085F));
                     combBeforeEars(user);
-                    cutFringe(user, {.halfM = 0.062F, .longerM = 0.012F});
+                    cutFringe(user, {.depthM = 0.045F, .halfM = 0.062F, .longerM = 0.012F});
                     front(user, MapKind::Gel, scalar(0.5F), 0.04F);
                 }};
     style.settings.nodesPerHair = 10;
     style.settings.material.shine = 0.75F;
-    style.settings.material.tipAlpha = 0.7F;
+    style.settings.material.tipAlpha = 0.9F;
     return style;
 }
 

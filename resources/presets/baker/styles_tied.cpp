@@ -170,7 +170,8 @@ Style twinTails()
                     // Skin between the two, or they would be one.
                     user.erase(MapKind::Accessory, {.sizeM = 0.005F, .hardness = 1.0F}, overMiddle(user));
                     user.erase(MapKind::Density, {.sizeM = 0.0056F, .hardness = 0.9F}, overMiddle(user));
-                    for (const float degrees : {115.0F, -115.0F})
+                    // So far back that tails fall behind the shoulders: on top of one they would bend and spread.
+                    for (const float degrees : {130.0F, -130.0F})
                         user.gather(WornKind::Ponytail, user.around(degrees, 0.056F));
                     setTies(user, WornKind::Ponytail, 0xFFC23A5A, 0.013F);
                 }};

@@ -94,7 +94,13 @@ Style shag()
                     user.fill(MapKind::Curl, scalar(1.0F));
                     user.fill(MapKind::Frizz, scalar(0.15F));
                     combBeforeEars(user);
-                    cutFringe(user, {.lengthM = 0.055F, .halfM = 0.041F, .longerM = 0.02F, .flatness = 0.75F});
+                    cutFringe(
+                        user,
+                        {.lengthM = 0.058F, .depthM = 0.045F, .halfM = 0.041F, .longerM = 0.02F, .flatness = 0.75F});
+                    // Loose enough that no skin shows between its locks.
+                    const Ring ring{.sizeM = 0.07F, .hardness = 0.5F};
+                    user.brush(MapKind::Clump, scalar(0.15F), ring, user.level(0.078F, 0.0F, 38.0F));
+                    user.brush(MapKind::Curl, scalar(0.45F), ring, user.level(0.078F, 0.0F, 38.0F));
                 }};
     model::setHairType(style.settings, model::hairType("2C"));
     style.settings.curl.gather = 0.8F;
