@@ -104,7 +104,7 @@ Style libertySpikes()
                     user.fill(MapKind::Gel, scalar(1.0F));
                     user.fill(MapKind::Direction, upright());
                 }};
-    style.settings.locks = {.sizeM = 0.022F, .small = 0.9F};
+    style.settings.locks = {.sizeM = 0.018F, .small = 0.9F};
     style.settings.variation.flyaways = 0.0F;
     style.settings.variation.crossing = 0.0F;
     style.settings.variation.partGapM = 0.0F;
