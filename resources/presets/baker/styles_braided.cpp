@@ -72,6 +72,9 @@ Style boxBraids()
                     user.fill(MapKind::Colour, colour(0xFF1E1512));
                     user.fill(MapKind::Length, user.length(0.34F));
                     user.fill(MapKind::Braid, entry(kPlait));
+                    // Off the face: a single braid before it would hide it, and make another outline.
+                    partInTheMiddle(user, {});
+                    combOffFace(user);
                 }};
     style.settings.braidSpacingM = 0.020F;
     style.settings.braidRadiusM = 0.0040F;
