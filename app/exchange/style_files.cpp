@@ -3,6 +3,7 @@
 
 #include "app/styles/library.h"
 #include "app/styles/style_pictures.h"
+#include "model/disk/disk_sync.h"
 #include "model/styles/style_transfer.h"
 #include "model/values/names.h"
 #include "model/values/sentences.h"
@@ -263,7 +264,7 @@ void StyleFiles::undo()
     if (!kept)
         return;
     if (!kept->isMoved)
-        QFile::remove(kept->path);
+        (void)model::deleteFile(kept->path);
     if (!QFile::rename(kept->at, kept->path))
         return m_files.complain(
             tr("'%1' could not be brought back; it is '%2' now.").arg(QFileInfo(kept->path).fileName(), kept->at));
