@@ -16,6 +16,11 @@ constexpr int kWidth = 301; // No whole number of cells.
 constexpr int kHeight = 229;
 constexpr float kNowhere = std::numeric_limits<float>::max();
 
+std::size_t sampleAt(int x, int y)
+{
+    return static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x);
+}
+
 /// A disc whose rim is covered by halves, with some that is worn; nearest in the middle.
 struct Disc
 {
@@ -29,7 +34,7 @@ struct Disc
             for (int x = 0; x < kWidth; ++x) {
                 const int dx = x - 140;
                 const int dy = y - 110;
-                const auto at = static_cast<std::size_t>(y * kWidth + x);
+                const auto at = sampleAt(x, y);
                 if (dx * dx + dy * dy > 100 * 100)
                     continue;
                 samples[at].cover = dx * dx + dy * dy > 97 * 97 ? 0x8000 : 0xFFFF;
@@ -47,7 +52,7 @@ struct Disc
     }
     [[nodiscard]] float beyondM(int x, int y) const
     {
-        const auto at = static_cast<std::size_t>(y * kWidth + x);
+        const auto at = sampleAt(x, y);
         return samples[at].cover == 0xFFFF ? distancesM[at] + hairShownBehindM(worn[at] != 0) : kNowhere;
     }
 };
