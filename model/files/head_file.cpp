@@ -3,6 +3,7 @@
 
 #include "model/files/glb.h"
 #include "model/heads/built_in_heads.h"
+#include "sim/base/parallel.h"
 #include "sim/groom/stream_raster.h"
 #include "sim/skin/head_warp.h"
 #include "sim/skin/landmark_search.h"
@@ -114,13 +115,14 @@ std::vector<glm::vec3> builtInStream(const Head& head, const QString& resource)
     return directionsHd;
 }
 
-/// What is drawn of it: finer than what carries hair. bust-1 has a mesh of its own for that.
-sim::HeadMesh shownMesh(const sim::HeadMesh& carrying, const QString& resource)
+/// What is drawn of it: finer than what carries hair.
+std::shared_ptr<const sim::HeadMesh> shownMesh(const sim::HeadMesh& carrying, std::vector<sim::SkinMarks> marks,
+                                               const QString& resource)
 {
-    const QString fine = resource + QStringLiteral("-fine.glb");
-    if (QFile::exists(fine))
-        return builtInMesh(fine);
-    return sim::subdivided(carrying, builtInDisplacements(resource + QStringLiteral(".displacement")));
+    sim::HeadMesh shown = sim::subdivided(carrying, builtInDisplacements(resource + QStringLiteral(".displacement")));
+    shown.marks = std::move(marks);
+    // The bust's foot is open; it is shown as if it were solid.
+    return std::make_shared<const sim::HeadMesh>(sim::withOpeningsClosed(std::move(shown)));
 }
 
 std::shared_ptr<const Head> loadBuiltIn(const heads::HeadRow& row)
@@ -129,19 +131,28 @@ std::shared_ptr<const Head> loadBuiltIn(const heads::HeadRow& row)
     auto head = std::make_shared<Head>();
     head->name = QString::fromUtf8(row.name);
     const QString resource = QStringLiteral(":/heads/") + head->name;
-    sim::HeadMesh carrying = builtInMesh(resource + QStringLiteral(".glb"));
-    sim::HeadMesh shown = shownMesh(carrying, resource);
-    shown.marks = builtInMarks(resource + QStringLiteral(".marks"));
-    if (!shown.marks.empty())
-        carrying.marks.assign(shown.marks.begin(),
-                              shown.marks.begin() + static_cast<std::ptrdiff_t>(carrying.positionsHd.size()));
-    head->skin = std::make_shared<const sim::Skin>(std::move(carrying));
-    head->distances = builtInDistances(resource + QStringLiteral(".distances"));
+    const sim::HeadMesh mesh = builtInMesh(resource + QStringLiteral(".glb"));
+    const std::vector<sim::SkinMarks> marks = builtInMarks(resource + QStringLiteral(".marks"));
     head->scalpFraction = row.scalpFraction;
     head->landmarks = row.landmarks;
-    head->naturalDirection = sim::streamRaster(*head->skin, builtInStream(*head, resource + QStringLiteral(".stream")));
-    // The bust's foot is open; it is shown as if it were solid.
-    head->shownMesh = std::make_shared<const sim::HeadMesh>(sim::withOpeningsClosed(std::move(shown)));
+    const auto makeSkin = [&] {
+        sim::HeadMesh carrying = mesh;
+        if (!marks.empty())
+            carrying.marks.assign(marks.begin(),
+                                  marks.begin() + static_cast<std::ptrdiff_t>(carrying.positionsHd.size()));
+        head->skin = std::make_shared<const sim::Skin>(std::move(carrying));
+        head->naturalDirection =
+            sim::streamRaster(*head->skin, builtInStream(*head, resource + QStringLiteral(".stream")));
+    };
+    const auto makeShown = [&] {
+        head->shownMesh = shownMesh(mesh, marks, resource);
+        head->distances = builtInDistances(resource + QStringLiteral(".distances"));
+    };
+    // Every start waits for it: what carries hair and what is seen are made beside each other.
+    sim::parallelFor(2, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t task = begin; task < end; ++task)
+            task == 0 ? makeSkin() : makeShown();
+    });
     return head;
 }
 

@@ -19,13 +19,17 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr std::array kFiles = {"bust-1.glb", "bust-1-fine.glb", "bust-2.glb"};
-constexpr const char* kFine = "bust-1-fine.glb";
+constexpr std::array kFiles = {"bust-1.glb", "bust-2.glb"};
 
 QByteArray contents(const QString& name)
 {
     QFile file(test::sourcePath(u"resources/heads/") + name);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QString displacementOf(const QString& file)
+{
+    return file.left(6) + u".displacement"_s;
 }
 
 /// Whose mesh a file is.
@@ -56,8 +60,6 @@ private:
         return m_meshes.at(file);
     }
 
-    const tests::GlbMesh& carrying() { return m_meshes.at(u"bust-1.glb"_s); }
-
 private Q_SLOTS:
     void initTestCase_data();
     void initTestCase();
@@ -77,7 +79,6 @@ private Q_SLOTS:
     void scalpIsScaledEvenly();
     void scalpIsHardlyStretched();
     void scalpHasItsFractionOfTheLayout();
-    void fineMeshKeepsEveryCarryingVertex();
     void aBuiltInHeadTakesLessThanTwoMegabytes();
     void displacementsAreOneForEachEdge();
     void filesAreFrozen();
@@ -111,8 +112,7 @@ void TestBust::filesKeepToTheProjectsSubsetOfGltf()
 
 void TestBust::sizeIsWhatWasPlanned()
 {
-    QFETCH_GLOBAL(QString, file);
-    QCOMPARE(mesh().positions.size(), file == QLatin1StringView(kFine) ? 75821U : 19011U);
+    QCOMPARE(mesh().positions.size(), 19011U);
     const float width = mesh().declaredHigh.x - mesh().declaredLow.x;
     const float height = mesh().declaredHigh.y - mesh().declaredLow.y;
     QVERIFY2(width > 0.30F && width < 0.36F, qPrintable(QString::number(static_cast<double>(width))));
@@ -323,10 +323,7 @@ void TestBust::scalpIsHardlyStretched()
     }
     const double worst = tests::quantile(stretches, 1.0);
     qInfo("stretch %.2f : 1, %.2f : 1 for 99 %%", worst, tests::quantile(stretches, 0.99));
-
-    // The promise is for the mesh that is painted. The fine one follows creases that the uv does not know of.
-    QFETCH_GLOBAL(QString, file);
-    QVERIFY(worst < (file == QLatin1StringView(kFine) ? 2.1 : 2.0));
+    QVERIFY(worst < 2.0);
 }
 
 void TestBust::scalpHasItsFractionOfTheLayout()
@@ -342,32 +339,20 @@ void TestBust::scalpHasItsFractionOfTheLayout()
     QVERIFY(scalp >= 0.35 * all);
 }
 
-void TestBust::fineMeshKeepsEveryCarryingVertex()
-{
-    std::set<std::tuple<float, float, float, float, float>> kept;
-    const auto key = [](const glm::vec3& p, const glm::vec2& uv) { return std::tuple(p.x, p.y, p.z, uv.x, uv.y); };
-    const tests::GlbMesh& fine = m_meshes.at(u"bust-1-fine.glb"_s);
-    for (std::size_t v = 0; v < fine.positions.size(); ++v)
-        kept.insert(key(fine.positions[v], fine.uvs[v]));
-    std::size_t lost = 0;
-    for (std::size_t v = 0; v < carrying().positions.size(); ++v)
-        lost += kept.contains(key(carrying().positions[v], carrying().uvs[v])) ? 0 : 1;
-    QCOMPARE(lost, 0U);
-}
-
 void TestBust::aBuiltInHeadTakesLessThanTwoMegabytes()
 {
-    QVERIFY(contents(u"bust-2.glb"_s).size() + contents(u"bust-2.displacement"_s).size() < 2'000'000);
+    QFETCH_GLOBAL(QString, file);
+    QVERIFY(contents(file).size() + contents(displacementOf(file)).size() < 2'000'000);
 }
 
 void TestBust::displacementsAreOneForEachEdge()
 {
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-    const tests::GlbMesh& mesh = m_meshes.at(u"bust-2.glb"_s);
-    for (const auto& t : mesh.triangles)
+    for (const auto& t : mesh().triangles)
         for (std::size_t i = 0; i < 3; ++i)
             edges.insert(std::minmax(t[i], t[(i + 1) % 3]));
-    const QByteArray displacements = contents(u"bust-2.displacement"_s);
+    QFETCH_GLOBAL(QString, file);
+    const QByteArray displacements = contents(displacementOf(file));
     QCOMPARE(displacements.size(), static_cast<qsizetype>(2 * edges.size()));
     // They are small against the edges: the carrying mesh follows the surface already.
     int large = 0;
@@ -383,9 +368,10 @@ void TestBust::filesAreFrozen()
     QFETCH_GLOBAL(QString, file);
     const std::map<QString, QByteArray> hashes = {
         {u"bust-1.glb"_s, "d4ba46fd4a0d302f4e2a338cb5cbb720004cd5a7ddd0aae5355dd807aaf973c6"},
-        {u"bust-1-fine.glb"_s, "19648ec4cd3b9eea8b6f0548ebd0ae931b2b0f63331f212696eaa901b98fb92c"}};
-    if (const auto frozen = hashes.find(file); frozen != hashes.end())
-        QCOMPARE(QCryptographicHash::hash(contents(file), QCryptographicHash::Sha256).toHex(), frozen->second);
+        {u"bust-1.displacement"_s, "9e58f218199000d7fae69479c48f2f218ca17f6075586536ad505bac90fc27b6"}};
+    for (const QString& name : {file, displacementOf(file)})
+        if (const auto frozen = hashes.find(name); frozen != hashes.end())
+            QCOMPARE(QCryptographicHash::hash(contents(name), QCryptographicHash::Sha256).toHex(), frozen->second);
 }
 
 HAIRPAINT_TEST(TestBust, None)
