@@ -36,7 +36,7 @@ void FramePacer::timerEvent(QTimerEvent* event)
     if (event->timerId() == m_settle.timerId()) {
         m_settle.stop();
         m_still = true;
-        requestDraw();
+        Q_EMIT stillBegan();
     } else if (event->timerId() == m_drawSoon.timerId()) {
         m_drawSoon.stop();
         Q_EMIT drawDue();

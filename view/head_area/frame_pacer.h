@@ -24,7 +24,8 @@ public:
     [[nodiscard]] bool waiting() const { return m_drawSoon.isActive() || m_settle.isActive(); }
 
 Q_SIGNALS:
-    void drawDue(); ///< The slot calls drawing() before it draws.
+    void drawDue();    ///< The slot calls drawing() before it draws.
+    void stillBegan(); ///< The slot asks for a finer picture, if one is wanted.
     void stillEnded();
 
 protected:

@@ -12,6 +12,10 @@ HeadFrames::HeadFrames(HeadScene& scene, QWidget& area, PresenterChoice choice)
     : QObject(&area), m_scene(scene), m_area(area)
 {
     connect(&m_pacer, &FramePacer::drawDue, this, &HeadFrames::draw);
+    connect(&m_pacer, &FramePacer::stillBegan, this, [this] {
+        if (mayRefine())
+            m_pacer.requestDraw();
+    });
     connect(&m_pacer, &FramePacer::stillEnded, this, &HeadFrames::finenessChanged);
     makePresenter(choice);
 }
@@ -67,14 +71,21 @@ void HeadFrames::setHair(std::shared_ptr<const sim::StrandFrame> frame)
         m_pacer.requestDraw();
 }
 
+bool HeadFrames::mayRefine() const
+{
+    // A finer picture of the bare head would only keep the hair waiting that is being made for it.
+    return m_scene.scene().hair != nullptr;
+}
+
 void HeadFrames::draw()
 {
     if (!m_area.isVisible())
         return; // Its showEvent asks again.
     m_pacer.drawing();
     const rendering::Scene& scene = m_scene.scene();
-    m_presenter->present(
-        {.scene = scene, .allHairs = scene.hair && !scene.cards ? scene.hair->hairCount : 0, .still = m_pacer.still()});
+    m_presenter->present({.scene = scene,
+                          .allHairs = scene.hair && !scene.cards ? scene.hair->hairCount : 0,
+                          .still = m_pacer.still() && mayRefine()});
 }
 
 } // namespace hairpaint::view

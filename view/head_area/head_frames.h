@@ -54,6 +54,7 @@ Q_SIGNALS:
 private:
     void makePresenter(PresenterChoice choice);
     void onFailed(const QString& reason);
+    [[nodiscard]] bool mayRefine() const;
     void draw();
 
     HeadScene& m_scene;

@@ -44,6 +44,14 @@ float shadeOf(glm::vec3 normalHd, float curvature)
     return std::clamp(0.15F + diffuse + hollow, 0.0F, 1.0F);
 }
 
+std::vector<float> vertexShades(const sim::HeadMesh& mesh)
+{
+    std::vector<float> shades = curvatures(mesh);
+    for (std::size_t i = 0; i < shades.size(); ++i)
+        shades[i] = shadeOf(mesh.normalsHd[i], shades[i]);
+    return shades;
+}
+
 struct ShadedCorner
 {
     glm::vec2 at; ///< Samples, y down.
@@ -86,14 +94,13 @@ QImage bakeUvShading(const sim::HeadMesh& mesh, int side)
     const auto count = static_cast<std::size_t>(fine) * static_cast<std::size_t>(fine);
     std::vector<float> shades(count, 0.0F);
     std::vector<std::uint8_t> covered(count, 0);
-    const std::vector<float> curvature = curvatures(mesh);
+    const std::vector<float> shadeOfVertex = vertexShades(mesh);
     for (const glm::uvec3& triangle : mesh.triangles) {
         std::array<ShadedCorner, 3> corners{};
         for (std::size_t i = 0; i < 3; ++i) {
             const unsigned vertex = triangle[static_cast<int>(i)];
             const glm::vec2 uv = mesh.uvs[vertex];
-            corners[i] = {glm::vec2(uv.x, 1.0F - uv.y) * static_cast<float>(fine),
-                          shadeOf(mesh.normalsHd[vertex], curvature[vertex])};
+            corners[i] = {glm::vec2(uv.x, 1.0F - uv.y) * static_cast<float>(fine), shadeOfVertex[vertex]};
         }
         fillTriangle(corners, fine, shades, covered);
     }

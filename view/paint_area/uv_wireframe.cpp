@@ -42,7 +42,8 @@ double spacingOf(std::size_t level)
 
 double distance(QPointF a, QPointF b)
 {
-    return std::hypot(a.x() - b.x(), a.y() - b.y());
+    const QPointF between = b - a;
+    return std::sqrt(QPointF::dotProduct(between, between)); // No need of hypot's care: paper is about 1 wide.
 }
 
 } // namespace
@@ -86,20 +87,40 @@ UvWireframe::UvWireframe(const sim::HeadMesh& mesh)
         m_neighbours[next[edge.a]++] = edge.b;
         m_neighbours[next[edge.b]++] = edge.a;
     }
-    sim::parallelFor(m_thinned.size(), 1, [this](std::size_t begin, std::size_t end) {
+    if (!tooFine(spacingOf(0) * std::numbers::sqrt2))
+        return;
+    const std::vector<unsigned> order = seedOrder();
+    sim::parallelFor(m_thinned.size(), 1, [this, &order](std::size_t begin, std::size_t end) {
         for (std::size_t level = begin; level < end; ++level)
             // Drawn up to half a level apart from its own spacing.
             if (const double spacing = spacingOf(level); tooFine(spacing * std::numbers::sqrt2))
-                m_thinned[level] = thinned(spacing);
+                m_thinned[level] = thinned(spacing, order);
     });
 }
 
-std::vector<unsigned> UvWireframe::owners(double spacing) const
+std::vector<unsigned> UvWireframe::seedOrder() const
 {
-    // Seeds: borders first, so that the thinned mesh reaches them, then in an order without pattern.
-    std::vector<unsigned> order(m_paper.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::ranges::sort(order, {}, [this](unsigned i) { return std::pair(!m_onBorder[i], shuffled(i)); });
+    struct Place
+    {
+        bool inside = false;
+        std::uint64_t chance = 0;
+        unsigned vertex = 0;
+        auto operator<=>(const Place&) const = default;
+    };
+    std::vector<Place> places;
+    places.reserve(m_paper.size());
+    for (unsigned i = 0; i < m_paper.size(); ++i)
+        places.push_back({!m_onBorder[i], shuffled(i), i});
+    std::ranges::sort(places);
+    std::vector<unsigned> order;
+    order.reserve(places.size());
+    for (const Place& place : places)
+        order.push_back(place.vertex);
+    return order;
+}
+
+std::vector<unsigned> UvWireframe::owners(double spacing, const std::vector<unsigned>& order) const
+{
     QMultiHash<qint64, unsigned> grid;
     const auto cell = [spacing](QPointF p, int dx, int dy) {
         return (static_cast<qint64>(std::floor(p.x() / spacing)) + dx) * 1'000'003 +
@@ -147,9 +168,9 @@ std::vector<unsigned> UvWireframe::owners(double spacing) const
     return owner;
 }
 
-std::vector<UvWireframe::Edge> UvWireframe::thinned(double spacing) const
+std::vector<UvWireframe::Edge> UvWireframe::thinned(double spacing, const std::vector<unsigned>& order) const
 {
-    const std::vector<unsigned> owner = owners(spacing);
+    const std::vector<unsigned> owner = owners(spacing, order);
     std::vector<std::uint64_t> keys;
     for (const Edge& edge : m_edges) {
         const unsigned a = owner[edge.a];

@@ -36,8 +36,11 @@ private:
 
     [[nodiscard]] bool tooFine(double spacing) const { return m_meanLength <= 0.7 * spacing; }
     [[nodiscard]] const std::vector<Edge>& edgesAt(double pxPerPaper) const;
-    [[nodiscard]] std::vector<unsigned> owners(double spacing) const;
-    [[nodiscard]] std::vector<Edge> thinned(double spacing) const;
+    /// In which vertices are asked whether they are to own others: borders first, so that the thinned mesh reaches
+    /// them, then without pattern.
+    [[nodiscard]] std::vector<unsigned> seedOrder() const;
+    [[nodiscard]] std::vector<unsigned> owners(double spacing, const std::vector<unsigned>& order) const;
+    [[nodiscard]] std::vector<Edge> thinned(double spacing, const std::vector<unsigned>& order) const;
     void drawEdges(QPainter& painter, const std::vector<Edge>& edges, const QTransform& paperToWidget,
                    const QRectF& visiblePaper) const;
 
