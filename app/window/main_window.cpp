@@ -64,12 +64,12 @@ ProjectFiles::Picture thumbnailOf(rendering::Scene scene)
 } // namespace
 
 MainWindow::MainWindow(model::Project project, std::unique_ptr<Settings> settings)
-    : m_ownSettings(std::move(settings)), m_settings(*m_ownSettings), m_session(std::move(project)), m_jobs(*this),
-      m_freedMemory(m_session.document(), m_jobs), m_files(m_session, m_settings, m_jobs, *this),
-      m_journal(m_session.document(), JournalFolder::root()), m_exchange(m_session, m_settings, m_jobs, *this),
-      m_actions(m_settings, *this), m_preferences(m_settings), m_clipCommands(m_session, m_exchange.maps()),
-      m_dialogs(*this, m_session.editor(), m_actions, m_preferences), m_focusReturn(this),
-      m_dialogPositions(*this, m_settings, [this] {
+    : m_ownSettings(std::move(settings)), m_settings(*m_ownSettings), m_session(std::move(project)),
+      m_firstHair(m_session), m_jobs(*this), m_freedMemory(m_session.document(), m_jobs),
+      m_files(m_session, m_settings, m_jobs, *this), m_journal(m_session.document(), JournalFolder::root()),
+      m_exchange(m_session, m_settings, m_jobs, *this), m_actions(m_settings, *this), m_preferences(m_settings),
+      m_clipCommands(m_session, m_exchange.maps()), m_dialogs(*this, m_session.editor(), m_actions, m_preferences),
+      m_focusReturn(this), m_dialogPositions(*this, m_settings, [this] {
           const view::HeadView& head = m_workspace->headView();
           return head.isVisible() ? QRect(head.mapToGlobal(QPoint(0, 0)), head.size()) : QRect();
       })
@@ -77,7 +77,8 @@ MainWindow::MainWindow(model::Project project, std::unique_ptr<Settings> setting
     view::applyTheme(*qApp, m_preferences.current().theme); // First: what is built asks how large its text is.
     setAcceptDrops(true);
     setMinimumSize(kSmallestWindow);
-    m_workspace = new Workspace(m_session.editor(), m_jobs, m_preferences.current());
+    m_workspace = new Workspace(m_session.editor(), m_jobs, m_firstHair, m_preferences.current());
+    m_firstHair.showIn(m_workspace->headView());
     setCentralWidget(m_workspace);
     m_keys = std::make_unique<PositionKeys>(m_actions, m_session, *m_workspace);
     buildMenus();
@@ -95,7 +96,7 @@ MainWindow::MainWindow(model::Project project, std::unique_ptr<Settings> setting
     m_exchange.styles().setCamera([this] { return m_workspace->headView().pictureScene().camera; });
     connect(&m_workspace->styleStrip(), &view::StyleStrip::asking, m_workspace,
             [this] { m_workspace->setPanelsHidden(false); });
-    styles->refresh();
+    m_firstHair.then(styles, [styles] { styles->refresh(); });
     m_files.setPath({});
     m_session.document().resolveIn(resolvedByJobs(m_jobs, &m_session));
     recallToolOptions(m_settings, m_session.editor());

@@ -11,6 +11,7 @@
 #include "app/settings/settings.h"
 #include "app/window/action_set.h"
 #include "app/window/clip_commands.h"
+#include "app/window/first_hair.h"
 #include "app/window/focus_return.h"
 #include "app/window/live_preferences.h"
 #include "app/window/position_keys.h"
@@ -90,6 +91,7 @@ private:
     std::unique_ptr<Settings> m_ownSettings;
     Settings& m_settings;
     Session m_session;
+    FirstHair m_firstHair;
     Jobs m_jobs;
     FreedMemory m_freedMemory;
     ProjectFiles m_files;

@@ -2,6 +2,7 @@
 #include "app/window/workspace.h"
 
 #include "app/styles/library.h"
+#include "app/window/first_hair.h"
 #include "view/head_area/head_view.h"
 #include "view/paint_area/map_legend.h"
 #include "view/paint_area/paint_view.h"
@@ -22,14 +23,16 @@ namespace hairpaint::app {
 
 namespace {
 
-view::StartBackdrop backdropsIn(Jobs& jobs)
+view::StartBackdrop backdropsIn(Jobs& jobs, FirstHair& firstHair)
 {
-    return [&jobs](const std::function<view::BackdropPtr()>& make, QObject* receiver,
-                   const std::function<void(const view::BackdropPtr&)>& done) {
-        // Nobody is told what went wrong: the map is painted on without a backdrop too.
-        jobs.start<view::BackdropPtr>(
-            {}, [make](const model::Progress&) -> model::Result<view::BackdropPtr> { return make(); }, receiver,
-            [done](const model::Result<view::BackdropPtr>& made) { done(made.value_or(nullptr)); });
+    return [&jobs, &firstHair](const std::function<view::BackdropPtr()>& make, QObject* receiver,
+                               const std::function<void(const view::BackdropPtr&)>& done) {
+        firstHair.then(receiver, [&jobs, make, receiver, done] {
+            // Nobody is told what went wrong: the map is painted on without a backdrop too.
+            jobs.start<view::BackdropPtr>(
+                {}, [make](const model::Progress&) -> model::Result<view::BackdropPtr> { return make(); }, receiver,
+                [done](const model::Result<view::BackdropPtr>& made) { done(made.value_or(nullptr)); });
+        });
     };
 }
 
@@ -44,12 +47,12 @@ view::StyleStrip::Start stylesIn(Jobs& jobs)
 
 } // namespace
 
-Workspace::Workspace(view::EditorState& editor, Jobs& jobs, const view::Preferences& preferences)
+Workspace::Workspace(view::EditorState& editor, Jobs& jobs, FirstHair& firstHair, const view::Preferences& preferences)
 {
     const view::Theme theme = view::Theme::of(preferences.theme);
     m_toolBar = new view::ToolBar(editor);
     m_optionBar = new view::OptionBar(editor);
-    m_paintView = new view::PaintView(editor, theme, backdropsIn(jobs));
+    m_paintView = new view::PaintView(editor, theme, backdropsIn(jobs, firstHair));
     m_headView = new view::HeadView(editor, theme, preferences.presenter);
     m_legend = new view::MapLegend(m_headView);
     m_sidebar = new view::Sidebar(editor);

@@ -23,6 +23,8 @@ class ToolBar;
 
 namespace hairpaint::app {
 
+class FirstHair;
+
 /// Owns them. GUI thread.
 class Workspace : public QWidget
 {
@@ -36,8 +38,9 @@ public:
         Paint
     };
 
-    /// Backdrops and styles are made by `jobs`; they and the editor outlive it.
-    Workspace(view::EditorState& editor, Jobs& jobs, const view::Preferences& preferences);
+    /// Backdrops and styles are made by `jobs`, the first backdrop after the first hair; they and the editor outlive
+    /// it.
+    Workspace(view::EditorState& editor, Jobs& jobs, FirstHair& firstHair, const view::Preferences& preferences);
 
     [[nodiscard]] view::ToolBar& toolBar() const { return *m_toolBar; }
     [[nodiscard]] view::OptionBar& optionBar() const { return *m_optionBar; }

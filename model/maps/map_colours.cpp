@@ -25,6 +25,29 @@ float luminance(QRgb colour)
     return 0.2126F * channel(qRed(colour)) + 0.7152F * channel(qGreen(colour)) + 0.0722F * channel(qBlue(colour));
 }
 
+/// How far along a scale from the paper's colour to its own the values are shown.
+class ShownScale
+{
+public:
+    explicit ShownScale(const MapSpec& spec)
+    {
+        const float dark = 1.0F - luminance(spec.scaleColour);
+        m_lift = kMostLift * dark * dark;
+        m_whole = std::log1p(m_lift);
+    }
+
+    [[nodiscard]] float fractionAt(float value) const
+    {
+        constexpr float kLeastLift = 0.01F;
+        const float v = std::clamp(value, 0.0F, 1.0F);
+        return m_lift < kLeastLift ? v : std::log1p(m_lift * v) / m_whole;
+    }
+
+private:
+    float m_lift = 0.0F;
+    float m_whole = 0.0F;
+};
+
 /// The colour at 1: lightened evenly in linear light where it would be too dark.
 std::array<float, 3> shownFull(const MapSpec& spec, bool nightPaper)
 {
@@ -42,8 +65,9 @@ ColourTable makeTable(const MapSpec& spec, bool nightPaper)
     ColourTable table{};
     const std::array<float, 3> full = shownFull(spec, nightPaper);
     const float paper = nightPaper ? 0.0F : 1.0F;
+    const ShownScale scale(spec);
     for (std::size_t i = 0; i < kTableSteps; ++i) {
-        const float t = shownFraction(spec, static_cast<float>(i) / (kTableSteps - 1));
+        const float t = scale.fractionAt(static_cast<float>(i) / (kTableSteps - 1));
         std::array<int, 3> mixed{};
         for (std::size_t c = 0; c < 3; ++c)
             mixed[c] = static_cast<int>(std::lround((paper + (full[c] - paper) * t) * 255.0F));
@@ -97,10 +121,7 @@ std::shared_ptr<const sim::TiledRaster> coloured(const sim::TiledRaster& resolve
 
 float shownFraction(const MapSpec& spec, float value)
 {
-    const float dark = 1.0F - luminance(spec.scaleColour);
-    const float lift = kMostLift * dark * dark;
-    const float v = std::clamp(value, 0.0F, 1.0F);
-    return lift < 0.01F ? v : std::log1p(lift * v) / std::log1p(lift);
+    return ShownScale(spec).fractionAt(value);
 }
 
 QRgb shownColour(const MapSpec& spec, std::uint16_t value, bool nightPaper)

@@ -2,6 +2,7 @@
 #include "sim/groom/groom.h"
 
 #include "sim/base/deterministic.h"
+#include "sim/base/parallel.h"
 #include "sim/groom/group_builder.h"
 #include "sim/skin/skin_band.h"
 
@@ -43,14 +44,21 @@ struct GroomBuilder::State
     };
 
     /// The group's roots, built anew only where skin, seed or one of the counts differs.
-    void findRoots(Group& group, const GroomInput& input, std::size_t count, std::size_t basisCount) const
+    static void findRoots(Group& group, const GroomInput& input, std::size_t count, std::size_t basisCount, bool lies)
     {
         // Groups that overlap must not stand on the same roots.
         const std::uint64_t seed = hash64(input.seed, static_cast<std::uint64_t>(group.id));
         if (group.roots && group.roots->skin == input.skin && group.roots->seed == seed && group.rootsAsked == count &&
             group.roots->basisSlot.size() == std::min(basisCount, group.roots->count()))
             return;
-        group.roots = buildRoots(input.skin, count, basisCount, seed);
+        // The first hair is waited for: what hair that lies asks of the skin is made beside its roots, and kept.
+        parallelFor(lies ? 2 : 1, 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t task = begin; task < end; ++task)
+                if (task == 0)
+                    group.roots = buildRoots(input.skin, count, basisCount, seed);
+                else
+                    (void)bandOf(input.skin);
+        });
         group.rootsAsked = count;
     }
 
@@ -90,10 +98,12 @@ GroomBuilder::Report GroomBuilder::update(const GroomInput& input)
                                                          : HairLimit::Memory;
         candidatesLeft -= count;
         weightLeft -= count * weight;
-        m_state->findRoots(group, input, count, static_cast<std::size_t>(std::max(groupInput.settings.basisHairs, 1)));
-        GroupBuilder::HeadLay head{.natural = input.naturalDirection, .band = nullptr, .distances = input.distances};
-        if (!isUpright(MapSampler(groupInput.maps[MapSlot::Direction])))
-            head.band = bandOf(input.skin);
+        const bool lies = !isUpright(MapSampler(groupInput.maps[MapSlot::Direction]));
+        State::findRoots(group, input, count, static_cast<std::size_t>(std::max(groupInput.settings.basisHairs, 1)),
+                         lies);
+        const GroupBuilder::HeadLay head{.natural = input.naturalDirection,
+                                         .band = lies ? bandOf(input.skin) : nullptr,
+                                         .distances = input.distances};
         const GroupBuilder::Result result = group.builder.update(groupInput, group.roots, head, limit);
         report.grooms.push_back(result.groom);
         std::vector<std::uint32_t> rebuilt;
