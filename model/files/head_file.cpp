@@ -51,12 +51,13 @@ sim::HeadMesh builtInMesh(const QString& resource)
     return std::move(*mesh);
 }
 
-/// In the file, micrometres in 16 bits, little endian.
+/// Of edges' middles. In the file, micrometres in 16 bits, little endian.
 std::vector<float> builtInDisplacements(const QString& resource)
 {
     constexpr float kMetresPerUnit = 1e-6F;
     const QByteArray bytes = builtInFile(resource);
     std::vector<float> metres;
+    metres.reserve(static_cast<std::size_t>(bytes.size()) / sizeof(qint16));
     for (qsizetype at = 0; at + 2 <= bytes.size(); at += 2)
         metres.push_back(kMetresPerUnit * qFromLittleEndian<qint16>(bytes.constData() + at));
     return metres;
@@ -115,11 +116,25 @@ std::vector<glm::vec3> builtInStream(const Head& head, const QString& resource)
     return directionsHd;
 }
 
+/// Beside creases the middles of bust-1's edges lie to the side, too: it has x, y, z of each.
+sim::HeadMesh finerMesh(const sim::HeadMesh& carrying, const QString& resource)
+{
+    const QString offsets = resource + QStringLiteral(".offsets");
+    if (!QFile::exists(offsets))
+        return sim::subdivided(carrying, builtInDisplacements(resource + QStringLiteral(".displacement")));
+    const std::vector<float> metres = builtInDisplacements(offsets);
+    std::vector<glm::vec3> offsetsHd;
+    offsetsHd.reserve(metres.size() / 3);
+    for (std::size_t at = 0; at + 3 <= metres.size(); at += 3)
+        offsetsHd.emplace_back(metres[at], metres[at + 1], metres[at + 2]);
+    return sim::subdivided(carrying, offsetsHd);
+}
+
 /// What is drawn of it: finer than what carries hair.
 std::shared_ptr<const sim::HeadMesh> shownMesh(const sim::HeadMesh& carrying, std::vector<sim::SkinMarks> marks,
                                                const QString& resource)
 {
-    sim::HeadMesh shown = sim::subdivided(carrying, builtInDisplacements(resource + QStringLiteral(".displacement")));
+    sim::HeadMesh shown = finerMesh(carrying, resource);
     shown.marks = std::move(marks);
     // The bust's foot is open; it is shown as if it were solid.
     return std::make_shared<const sim::HeadMesh>(sim::withOpeningsClosed(std::move(shown)));

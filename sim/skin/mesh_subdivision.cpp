@@ -44,17 +44,19 @@ EdgeMiddle middleOf(const HeadMesh& mesh, const Edge& edge)
             .normalHd = length > 1e-6F ? sum / length : mesh.normalsHd[edge.first]};
 }
 
-HeadMesh subdivided(const HeadMesh& mesh, std::span<const float> displacementsM)
+namespace {
+
+/// `middleAt(i)`: where the middle of edges[i] lies.
+template<typename MiddleAt>
+HeadMesh split(const HeadMesh& mesh, const std::vector<Edge>& edges, const MiddleAt& middleAt)
 {
-    const std::vector<Edge> edges = edgesOf(mesh);
     const auto first = static_cast<unsigned>(mesh.positionsHd.size());
     HeadMesh fine = mesh;
     std::unordered_map<std::uint64_t, unsigned> vertices;
     vertices.reserve(edges.size());
     for (std::size_t i = 0; i < edges.size(); ++i) {
-        const EdgeMiddle middle = middleOf(mesh, edges[i]);
         vertices.emplace(keyOf(edges[i]), first + static_cast<unsigned>(i));
-        fine.positionsHd.push_back(middle.positionHd + displacementsM[i] * middle.normalHd);
+        fine.positionsHd.push_back(middleAt(i));
         fine.normalsHd.emplace_back(0.0F);
         fine.uvs.push_back(0.5F * (mesh.uvs[edges[i].first] + mesh.uvs[edges[i].second]));
     }
@@ -79,6 +81,23 @@ HeadMesh subdivided(const HeadMesh& mesh, std::span<const float> displacementsM)
         fine.normalsHd[i] = length > 0.0F ? fine.normalsHd[i] / length : middleOf(mesh, edges[i - first]).normalHd;
     }
     return fine;
+}
+
+} // namespace
+
+HeadMesh subdivided(const HeadMesh& mesh, std::span<const float> displacementsM)
+{
+    const std::vector<Edge> edges = edgesOf(mesh);
+    return split(mesh, edges, [&](std::size_t i) {
+        const EdgeMiddle middle = middleOf(mesh, edges[i]);
+        return middle.positionHd + displacementsM[i] * middle.normalHd;
+    });
+}
+
+HeadMesh subdivided(const HeadMesh& mesh, std::span<const glm::vec3> offsetsHd)
+{
+    const std::vector<Edge> edges = edgesOf(mesh);
+    return split(mesh, edges, [&](std::size_t i) { return middleOf(mesh, edges[i]).positionHd + offsetsHd[i]; });
 }
 
 } // namespace hairpaint::sim

@@ -20,9 +20,11 @@ struct EdgeMiddle
 };
 [[nodiscard]] EdgeMiddle middleOf(const HeadMesh& mesh, const std::pair<unsigned, unsigned>& edge);
 
-/// Every triangle in four, with each edge's middle as a new vertex, moved by its displacement (m; as many as edgesOf
-/// gives). The mesh's own vertices stay as they are, in front of the new ones, whose normals follow the faces around
-/// them. uv lies where it did.
+/// Every triangle in four, with each edge's middle as a new vertex, moved by its displacement along its normal (m; as
+/// many as edgesOf gives). The mesh's own vertices stay as they are, in front of the new ones, whose normals follow the
+/// faces around them. uv lies where it did.
 [[nodiscard]] HeadMesh subdivided(const HeadMesh& mesh, std::span<const float> displacementsM);
+/// The same with middles that move in any direction (m, head space), as where the surface has a crease beside the edge.
+[[nodiscard]] HeadMesh subdivided(const HeadMesh& mesh, std::span<const glm::vec3> offsetsHd);
 
 } // namespace hairpaint::sim

@@ -73,6 +73,24 @@ private Q_SLOTS:
                 QVERIFY(glm::dot(fine.normalsHd[i], glm::normalize(fine.positionsHd[i])) > 0.999F);
         }
     }
+
+    void middlesMoveInAnyDirection()
+    {
+        const HeadMesh ball = makeBallHead(24);
+        const auto edges = edgesOf(ball);
+        const std::vector<float> displacements(edges.size(), 0.001F);
+        std::vector<glm::vec3> offsets;
+        offsets.reserve(edges.size());
+        for (const auto& edge : edges)
+            offsets.push_back(0.001F * middleOf(ball, edge).normalHd);
+        const HeadMesh along = subdivided(ball, displacements);
+        QVERIFY(subdivided(ball, offsets).positionsHd == along.positionsHd);
+        const glm::vec3 aside(0.002F, 0.0F, -0.001F);
+        offsets.back() += aside;
+        const HeadMesh moved = subdivided(ball, offsets);
+        QVERIFY(glm::distance(moved.positionsHd.back(), along.positionsHd.back() + aside) < 1e-7F);
+        QVERIFY(moved.triangles == along.triangles && moved.uvs == along.uvs);
+    }
 };
 
 HAIRPAINT_TEST(TestMeshSubdivision, None)
