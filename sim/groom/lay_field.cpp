@@ -48,8 +48,8 @@ LayField::Difference LayField::differenceTo(const MapRaster& direction)
 {
     Difference difference{.direction = direction, .indices = {}, .cells = {}};
     std::vector<std::uint32_t> candidates;
-    if (const std::optional<std::vector<int>> tiles = tilesThatDiffer(*m_direction, *direction)) {
-        candidates = tilesFor(direction->size()).slotsOf(*tiles);
+    if (const std::optional<std::vector<TexelRect>> footprints = footprintsThatDiffer(*m_direction, *direction)) {
+        candidates = tilesFor(direction->size()).slotsIn(*footprints);
     } else {
         candidates.resize(m_cells.size());
         std::iota(candidates.begin(), candidates.end(), 0U);

@@ -2,7 +2,7 @@
 #include "sim/groom/map_changes.h"
 
 #include "sim/base/parallel.h"
-#include "sim/groom/direction_texel.h"
+#include "sim/groom/map_sampler.h"
 
 #include <algorithm>
 
@@ -32,8 +32,8 @@ template<typename Differs, typename Insert>
 void MapChanges::visitChanged(const TiledRaster& before, const TiledRaster& after, const Differs& differs,
                               const Insert& insert)
 {
-    const std::optional<std::vector<int>> tiles = tilesThatDiffer(before, after);
-    if (!tiles) {
+    const std::optional<std::vector<TexelRect>> footprints = footprintsThatDiffer(before, after);
+    if (!footprints) {
         const std::size_t chunks = (m_roots->count() + kChunkSlots - 1) / kChunkSlots;
         parallelFor(chunks, 4, [&](std::size_t begin, std::size_t end) {
             const std::size_t last = std::min(end * kChunkSlots, m_roots->count());
@@ -43,10 +43,10 @@ void MapChanges::visitChanged(const TiledRaster& before, const TiledRaster& afte
         });
         return;
     }
-    if (tiles->empty())
+    if (footprints->empty())
         return;
     // A tile's candidates are of many chunks: looked at by all threads, kept by this one.
-    const std::vector<std::uint32_t> slots = indexFor(after.size()).slotsOf(*tiles);
+    const std::vector<std::uint32_t> slots = indexFor(after.size()).slotsIn(*footprints);
     std::vector<std::uint8_t> changed(slots.size());
     parallelFor(slots.size(), kSlotGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
@@ -58,17 +58,19 @@ void MapChanges::visitChanged(const TiledRaster& before, const TiledRaster& afte
 }
 
 template<typename Read>
-void MapChanges::compare(const MapRule& rule, const Read& read, const TiledRaster& before, const TiledRaster& after,
+void MapChanges::compare(const MapRule& rule, const Read& read, const MapRaster& before, const MapRaster& after,
                          ChangedSlots& changed)
 {
+    const MapSampler was(before);
+    const MapSampler is(after);
     const auto basisCount = static_cast<std::uint32_t>(m_roots->basisSlot.size());
     const MapEffect effect = rule.effect;
     const bool ofAll = effect.hairs || effect.look;
     const auto isBasis = [&](std::uint32_t slot) { return effect.basis && m_roots->rankOfSlot[slot] < basisCount; };
     const auto differs = [&](std::uint32_t slot) {
-        return (ofAll || isBasis(slot)) && read(before, m_roots->uv[slot]) != read(after, m_roots->uv[slot]);
+        return (ofAll || isBasis(slot)) && read(was, m_roots->uv[slot]) != read(is, m_roots->uv[slot]);
     };
-    visitChanged(before, after, differs, [&](std::uint32_t slot) {
+    visitChanged(*before, *after, differs, [&](std::uint32_t slot) {
         if (effect.hairs)
             changed.hairs.insert(slot);
         if (isBasis(slot))
@@ -80,10 +82,10 @@ void MapChanges::compare(const MapRule& rule, const Read& read, const TiledRaste
 
 void MapChanges::find(const GroupMaps& before, const GroupMaps& after, ChangedSlots& changed)
 {
-    const auto nearest = [](const TiledRaster& map, glm::vec2 uv) { return map.sampleNearest(uv); };
-    const auto scalar = [](const TiledRaster& map, glm::vec2 uv) { return map.sampleScalar(uv); };
-    const auto direction = [](const TiledRaster& map, glm::vec2 uv) { return directionAt(map, uv); };
-    const auto channels = [](const TiledRaster& map, glm::vec2 uv) { return map.sampleBilinear(uv); };
+    const auto nearest = [](const MapSampler& map, glm::vec2 uv) { return map.index(uv); };
+    const auto scalar = [](const MapSampler& map, glm::vec2 uv) { return map.scalar(uv); };
+    const auto direction = [](const MapSampler& map, glm::vec2 uv) { return map.vector(uv); };
+    const auto channels = [](const MapSampler& map, glm::vec2 uv) { return map.channels(uv); };
     for (const MapRule& rule : kMapRules) {
         const MapRaster& was = before[rule.slot];
         const MapRaster& is = after[rule.slot];
@@ -95,13 +97,13 @@ void MapChanges::find(const GroupMaps& before, const GroupMaps& after, ChangedSl
         if (was == is || rule.effect == MapEffect{} || std::ranges::any_of(kMapRules, isCompared))
             continue;
         if (rule.sampling == MapSampling::Nearest)
-            compare(rule, nearest, *was, *is, changed);
+            compare(rule, nearest, was, is, changed);
         else if (rule.slot == MapSlot::Direction)
-            compare(rule, direction, *was, *is, changed);
+            compare(rule, direction, was, is, changed);
         else if (rule.channels == 1)
-            compare(rule, scalar, *was, *is, changed);
+            compare(rule, scalar, was, is, changed);
         else
-            compare(rule, channels, *was, *is, changed);
+            compare(rule, channels, was, is, changed);
     }
 }
 

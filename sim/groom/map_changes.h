@@ -47,7 +47,7 @@ private:
     void visitChanged(const TiledRaster& before, const TiledRaster& after, const Differs& differs,
                       const Insert& insert);
     template<typename Read>
-    void compare(const MapRule& rule, const Read& read, const TiledRaster& before, const TiledRaster& after,
+    void compare(const MapRule& rule, const Read& read, const MapRaster& before, const MapRaster& after,
                  ChangedSlots& changed);
 
     std::shared_ptr<const RootSet> m_roots;

@@ -102,13 +102,13 @@ bool ScalpTint::findChanged(const sim::MapRaster& before, const sim::MapRaster& 
 {
     if (before == after)
         return true;
-    const std::optional<std::vector<int>> tiles = sim::tilesThatDiffer(*before, *after);
-    if (!tiles)
+    const std::optional<std::vector<sim::TexelRect>> footprints = sim::footprintsThatDiffer(*before, *after);
+    if (!footprints)
         return false;
     auto index = m_indices.find(after->size());
     if (index == m_indices.end())
         index = m_indices.emplace(after->size(), sim::TileIndex(pointsRead(m_mesh->uvs), after->size())).first;
-    for (const std::uint32_t point : index->second.slotsOf(*tiles))
+    for (const std::uint32_t point : index->second.slotsIn(*footprints))
         vertices.push_back(point / static_cast<std::uint32_t>(kReads.size()));
     return true;
 }
