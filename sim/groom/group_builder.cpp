@@ -94,7 +94,7 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
 
     if (allDiffer || !dirty.empty()) {
         const MapSamplers maps(input.maps);
-        m_hairline.update(maps[MapSlot::Density], dirty.hairs);
+        m_hairline.update(input.maps[MapSlot::Density], dirty.hairs);
         readKinds(maps, dirty.hairs);
         const std::optional<MapSampler> natural = samplerOf(head.natural);
         const LayInputs lay{maps[MapSlot::Direction],

@@ -3,12 +3,16 @@
 
 #include "sim/base/deterministic.h"
 #include "sim/base/parallel.h"
+#include "sim/groom/map_sampler.h"
+#include "sim/groom/tile_index.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 namespace hairpaint::sim {
 
@@ -16,6 +20,7 @@ namespace {
 
 constexpr std::uint64_t kHairlineKey = 0x656467650A75u; ///< Apart from the keys of other uses of the seed.
 constexpr float kBareBelow = 0.01F;                     ///< Density below which the skin at a probe counts as bare.
+constexpr float kNotRead = -1.0F;                       ///< A density before the map was read.
 constexpr float kProbesApart = 0.4F; ///< Distance of probes over the softened width; they are no closer than roots.
 constexpr float kWavers = 0.4F;      ///< Greatest fraction by which that width wavers.
 constexpr float kRecedes = 0.3F;     ///< Greatest distance by which the edge lies further inside, over that width.
@@ -36,6 +41,12 @@ constexpr std::array<std::size_t, 3> kNearFirst{1, 0, 2};
 /// Distance from a bare probe to the edge, over the probes' spacing: the edge lies about halfway between probes.
 constexpr float kBetweenProbes = 0.4F;
 
+bool sameTexels(const TiledRaster& before, const TiledRaster& after)
+{
+    const std::optional<std::vector<TexelRect>> footprints = footprintsThatDiffer(before, after);
+    return footprints && footprints->empty();
+}
+
 } // namespace
 
 void Hairline::startOver(const std::shared_ptr<const RootSet>& roots, const HairlineSettings& settings)
@@ -50,7 +61,8 @@ void Hairline::startOver(const std::shared_ptr<const RootSet>& roots, const Hair
     m_softenM = settings.softenM;
     m_uneven = settings.uneven;
     makeCells();
-    m_density.assign(roots->count(), 0.0F);
+    m_map.reset();
+    m_density.assign(roots->count(), kNotRead);
     m_depth.assign(roots->count(), 1.0F);
 }
 
@@ -117,13 +129,13 @@ void Hairline::aroundCell(std::size_t cell, const Change& change) const
                 change(cell + z * layer + y * m_size.x + x - layer - m_size.x - 1);
 }
 
-void Hairline::readBare(const SlotSet& dirty, std::vector<std::uint8_t>& differs)
+void Hairline::readBare(const SlotSet& otherDensity, std::vector<std::uint8_t>& differs)
 {
     for (std::size_t cell = 0; cell + 1 < m_first.size(); ++cell) {
         const std::uint32_t before = m_bareIn[cell];
         bool any = false;
         for (std::uint32_t probe = m_first[cell]; probe < m_first[cell + 1]; ++probe) {
-            if (!dirty.contains(m_probe[probe]))
+            if (!otherDensity.contains(m_probe[probe]))
                 continue;
             const std::uint8_t isBare = m_density[m_probe[probe]] < kBareBelow ? 1 : 0;
             any |= isBare != m_isBare[probe];
@@ -146,22 +158,32 @@ void Hairline::readBare(const SlotSet& dirty, std::vector<std::uint8_t>& differs
     }
 }
 
-void Hairline::update(const MapSampler& density, SlotSet& dirty)
+void Hairline::update(const MapRaster& density, SlotSet& dirty)
 {
-    if (isOff() || dirty.empty())
+    if (isOff() || dirty.empty() || density == m_map)
         return;
+    const MapRaster before = std::exchange(m_map, density);
+    if (before && sameTexels(*before, *density))
+        return;
+    const MapSampler sampler(density);
+    SlotSet otherDensity(m_density.size());
     parallelFor(dirty.chunkCount(), kChunksAtOnce, [&](std::size_t begin, std::size_t end) {
         for (std::size_t chunk = begin; chunk < end; ++chunk)
-            dirty.forEachInChunk(chunk,
-                                 [&](std::uint32_t slot) { m_density[slot] = density.scalar(m_roots->uv[slot]); });
+            dirty.forEachInChunk(chunk, [&](std::uint32_t slot) {
+                const float value = sampler.scalar(m_roots->uv[slot]);
+                if (value == m_density[slot])
+                    return;
+                m_density[slot] = value;
+                otherDensity.insert(slot);
+            });
     });
     std::vector<std::uint8_t> differs(m_bareIn.size(), 0);
-    readBare(dirty, differs);
+    readBare(otherDensity, differs);
     parallelFor(dirty.chunkCount(), kChunksAtOnce, [&](std::size_t begin, std::size_t end) {
         const std::size_t last = std::min(end * kChunkSlots, m_depth.size());
         for (std::size_t i = begin * kChunkSlots; i < last; ++i) {
             const auto slot = static_cast<std::uint32_t>(i);
-            if (differs[m_cell[slot]] == 0 && !dirty.contains(slot))
+            if (differs[m_cell[slot]] == 0 && !otherDensity.contains(slot))
                 continue;
             const float depth = depthAt(slot);
             if (depth != m_depth[slot])

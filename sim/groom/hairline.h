@@ -2,7 +2,7 @@
 // the edge was painted. Only an edge to bare skin counts, not one between dense hair and less dense.
 #pragma once
 
-#include "sim/groom/map_sampler.h"
+#include "sim/groom/map_slot.h"
 #include "sim/groom/roots.h"
 #include "sim/groom/slot_set.h"
 #include "sim/groom/variation.h"
@@ -25,8 +25,9 @@ public:
     void startOver(const std::shared_ptr<const RootSet>& roots, const HairlineSettings& settings);
     [[nodiscard]] bool isOff() const { return m_depth.empty(); }
 
-    /// Reads the density of the roots in `dirty` again, and adds the roots whose depth changes. Uses parallelFor.
-    void update(const MapSampler& density, SlotSet& dirty);
+    /// Reads the density of the roots in `dirty` again where the map's texels are others than the last time, and adds
+    /// the roots whose depth changes. Uses parallelFor.
+    void update(const MapRaster& density, SlotSet& dirty);
 
     /// The density map's value at the root, 0..1.
     [[nodiscard]] float density(std::uint32_t slot) const { return m_density[slot]; }
@@ -36,14 +37,16 @@ public:
 private:
     void makeCells();
     [[nodiscard]] std::size_t cellOf(glm::vec3 positionHd) const;
-    /// Updates which probes are bare; marks the cells that touch a cell where that differs.
-    void readBare(const SlotSet& dirty, std::vector<std::uint8_t>& differs);
+    /// Updates which probes are bare, of the roots whose density differs; marks the cells that touch a cell where that
+    /// differs.
+    void readBare(const SlotSet& otherDensity, std::vector<std::uint8_t>& differs);
     /// Calls `change` with a cell and with all cells that touch it.
     template<typename Change>
     void aroundCell(std::size_t cell, const Change& change) const;
     [[nodiscard]] float depthAt(std::uint32_t slot) const;
 
     std::shared_ptr<const RootSet> m_roots;
+    MapRaster m_map; ///< Which m_density was read from; null before.
     float m_softenM = 0.0F;
     float m_uneven = 0.0F;
     float m_spacingM = 0.0F; ///< Mean distance of neighbouring probes.

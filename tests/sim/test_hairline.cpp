@@ -173,6 +173,31 @@ private Q_SLOTS:
         QVERIFY(differenceOf(*builder.update(input).grooms[0], *first.grooms[0]) == nullptr);
     }
 
+    void hairThatIsBuiltAnewIsAtTheEdgeThatThereIsThen()
+    {
+        GroomInput input = halfPatch(1.0F, 0.0F, {.softenM = kSoftenM, .baby = 0.5F});
+        GroupMaps& maps = input.groups[0].maps;
+        GroomBuilder builder;
+        (void)builder.update(input);
+        const auto verifyAsFresh = [&] {
+            const char* difference = differenceOf(*builder.update(input).grooms[0], *groomOf(input));
+            QVERIFY2(difference == nullptr, difference);
+        };
+        maps[MapSlot::Length] = uniformMap(0.3F);
+        verifyAsFresh();
+        // The same texels in another raster.
+        maps[MapSlot::Density] = halves(1.0F, 0.0F);
+        maps[MapSlot::Length] = uniformMap(0.4F);
+        verifyAsFresh();
+        maps[MapSlot::Density] = withDab(maps[MapSlot::Density], {0.3F, 0.5F}, 0.1F, {0});
+        maps[MapSlot::Length] = uniformMap(0.5F);
+        verifyAsFresh();
+        maps[MapSlot::Density] = halves(0.0F, 1.0F);
+        verifyAsFresh();
+        input.groups[0].settings.hairline.uneven = 0.7F;
+        verifyAsFresh();
+    }
+
     void aColourLeavesItAlone()
     {
         GroomInput input = halfPatch(1.0F, 0.0F, {.softenM = kSoftenM, .baby = 0.5F});

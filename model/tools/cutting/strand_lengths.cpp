@@ -23,10 +23,9 @@ StrandLengths::StrandLengths(Document& document, Id group, std::shared_ptr<const
     m_hairline.startOver(m_roots, m_settings.hairline);
     if (m_hairline.isOff())
         return;
-    const sim::MapRaster density = document.resolvedNow(group, MapKind::Density);
     sim::SlotSet all(m_roots->count());
     all.insertAll();
-    m_hairline.update(sim::MapSampler(density), all);
+    m_hairline.update(document.resolvedNow(group, MapKind::Density), all);
 }
 
 float StrandLengths::uncutAt(std::uint32_t slot) const
