@@ -400,8 +400,10 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
         kept.any() ? std::make_shared<StrandChunk>(*before)
                    : emptyChunk(inputs.settings.nodesPerHair, !inputs.locks.isOfBasis());
     std::bitset<kBlocksPerChunk> touched;
-    if (kept.none())
+    if (kept.none()) {
         touched.set();
+        passed.startChunk(chunkIndex);
+    }
     ChunkWriter writer(inputs, chunkIndex, *chunk, passed);
     dirty.look.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
         touched.set((slot - firstSlot) / kLanes);

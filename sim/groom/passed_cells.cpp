@@ -60,6 +60,12 @@ void PassedCells::startOver(std::size_t strands, int nodes)
     m_chunks.assign((strands + kChunkSlots - 1) / kChunkSlots, Chunk());
 }
 
+void PassedCells::startChunk(std::size_t chunk)
+{
+    std::ranges::fill(m_chunks[chunk].near, 0);
+    m_chunks[chunk].puts = 0;
+}
+
 void PassedCells::put(std::size_t strand, std::span<const std::int32_t> cells)
 {
     Chunk& chunk = m_chunks[chunkOf(strand)];
@@ -94,21 +100,29 @@ void PassedCells::findPassing(std::span<const std::uint32_t> cells, std::size_t 
 {
     if (cells.empty())
         return;
-    std::vector<std::uint64_t> exact(cellCount / 64 + 1, 0);
+    // A byte for every cell, and before them one for SkinBand::kNone: for each cell of a list one load tells whether to
+    // go on.
+    enum Meaning : std::uint8_t
+    {
+        GoOn,
+        Passes,
+        Ends
+    };
+    std::vector<std::uint8_t> meanings(cellCount + 1, GoOn);
+    const auto meaningOf = [&](std::int32_t cell) -> std::uint8_t& {
+        return meanings[static_cast<std::size_t>(cell - SkinBand::kNone)];
+    };
+    meaningOf(SkinBand::kNone) = Ends;
     std::vector<std::uint64_t> around;
     for (const std::uint32_t cell : cells) {
-        insertBit(exact, cell);
+        meaningOf(static_cast<std::int32_t>(cell)) = Passes;
         insertBit(around, cell / kCellsPerBit);
     }
     const std::vector<SparseWord> near = sparse(around);
     const auto passes = [&](std::span<const std::int32_t> list) {
-        for (const std::int32_t cell : list) {
-            if (cell == SkinBand::kNone)
-                return false;
-            const auto index = static_cast<std::size_t>(cell);
-            if (((exact[index / 64] >> (index % 64)) & 1U) != 0)
-                return true;
-        }
+        for (const std::int32_t cell : list)
+            if (const std::uint8_t meaning = meaningOf(cell); meaning != GoOn)
+                return meaning == Passes;
         return false;
     };
     const auto cameNear = [&](const Chunk& chunk) {

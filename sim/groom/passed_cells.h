@@ -15,6 +15,8 @@ class PassedCells
 public:
     /// Nobody has passed anything.
     void startOver(std::size_t strands, int nodes);
+    /// All strands of a chunk that lie on something are about to be put.
+    void startChunk(std::size_t chunk);
     /// `cells`: up to the first SkinBand::kNone, at most Lay::mostPassed(nodes).
     void put(std::size_t strand, std::span<const std::int32_t> cells);
     /// Adds the strands that passed one of these cells, of `cellCount` that there are. Reads lists only in chunks that
