@@ -44,6 +44,9 @@ glm::vec3 atLeast(float flatness, glm::vec3 grown, glm::vec3 falls)
 
 glm::vec3 GrowthDirections::of(float falls) const
 {
+    // What turnedBetween() makes of two that are equal; adding 0 gives its zeros their sign.
+    if (grownHd == fallenHd)
+        return grownHd + glm::vec3(0.0F);
     return turnedBetween(grownHd, fallenHd, falls);
 }
 

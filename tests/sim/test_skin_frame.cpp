@@ -1,4 +1,5 @@
 // The frame in which hair's direction is told, and how a map stores it.
+#include "sim/groom/growth_direction.h"
 #include "sim/groom/map_sampler.h"
 #include "sim/skin/skin_frame.h"
 #include "tests/support/test_heads.h"
@@ -79,6 +80,10 @@ private Q_SLOTS:
         QCOMPARE(turnedBetween(right, -right, 0.499F), right);
         QCOMPARE(turnedBetween(right, -right, 0.501F), -right);
         QCOMPARE(turnedBetween(vec3(0.0F), vec3(0.0F), 0.5F), vec3(0.0F));
+        for (const float falls : {0.0F, 0.3F, 0.5F, 0.77F, 1.0F})
+            for (const glm::vec3 same : {vec3(0.3F, -0.4F, 0.123F), vec3(1e-4F, 0.0F, 0.0F), vec3(0.0F)})
+                QCOMPARE((GrowthDirections{.grownHd = same, .fallenHd = same}.of(falls)),
+                         turnedBetween(same, same, falls));
         QCOMPARE(glm::length(turnedBetween(DirectionVector(0.3F, 0.4F), DirectionVector(0.0F), 0.5F)), 0.25F);
     }
 
