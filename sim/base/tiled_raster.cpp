@@ -17,6 +17,19 @@ std::size_t texelOffset(int x, int y, int channels)
            static_cast<std::size_t>(channels);
 }
 
+/// One to four channels; copying a number of them that is not known calls the library for a few bytes.
+Texel texelOf(const std::uint16_t* from, int channels)
+{
+    Texel texel{from[0]};
+    if (channels > 1)
+        texel[1] = from[1];
+    if (channels > 2)
+        texel[2] = from[2];
+    if (channels > 3)
+        texel[3] = from[3];
+    return texel;
+}
+
 /// Not a number becomes 0.
 float unitClamp(float x)
 {
@@ -155,9 +168,7 @@ const std::uint16_t* TiledRaster::channelsAt(int x, int y) const
 
 Texel TiledRaster::texel(int x, int y) const
 {
-    Texel value{};
-    std::copy_n(channelsAt(x, y), m_channels, value.begin());
-    return value;
+    return texelOf(channelsAt(x, y), m_channels);
 }
 
 void TiledRaster::setTexel(int x, int y, Texel value)
@@ -174,7 +185,9 @@ glm::ivec2 TiledRaster::footprint(glm::vec2 uv, int size)
 
 std::array<const std::uint16_t*, 4> TiledRaster::corners(glm::ivec2 first, glm::ivec2 last) const
 {
-    if (first.x / kTile != last.x / kTile || first.y / kTile != last.y / kTile)
+    // Unsigned, dividing is a shift.
+    const auto tileOf = [](int at) { return static_cast<unsigned>(at) / unsigned{kTile}; };
+    if (tileOf(first.x) != tileOf(last.x) || tileOf(first.y) != tileOf(last.y))
         return {channelsAt(first.x, first.y), channelsAt(last.x, first.y), channelsAt(first.x, last.y),
                 channelsAt(last.x, last.y)};
     const RasterTile& tile = *m_tiles[static_cast<std::size_t>(tileIndexAt(first.x, first.y))];
@@ -200,7 +213,8 @@ float TiledRaster::sampleScalar(glm::vec2 uv) const
 {
     const Footprint f(uv, m_size);
     const auto [a, b, c, d] = corners({f.x0, f.y0}, {f.x1, f.y1});
-    return f.blend(*a, *b, *c, *d);
+    // One texel that stands for all of a tile: what blend() makes of four equal ones.
+    return a == d ? static_cast<float>(*a) / 65535.0F : f.blend(*a, *b, *c, *d);
 }
 
 TiledRaster::Neighbours TiledRaster::neighbours(glm::vec2 uv) const
@@ -210,7 +224,7 @@ TiledRaster::Neighbours TiledRaster::neighbours(glm::vec2 uv) const
     Neighbours found{.weights = {(1.0F - f.fractionX) * (1.0F - f.fractionY), f.fractionX * (1.0F - f.fractionY),
                                  (1.0F - f.fractionX) * f.fractionY, f.fractionX * f.fractionY}};
     for (std::size_t i = 0; i < channels.size(); ++i)
-        std::copy_n(channels[i], m_channels, found.texels[i].begin());
+        found.texels[i] = texelOf(channels[i], m_channels);
     return found;
 }
 
