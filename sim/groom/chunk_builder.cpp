@@ -358,6 +358,8 @@ float hairDensity(const VariationSettings& variation, const Hairline& hairline, 
 {
     const float density = hairline.isOff() ? maps[MapSlot::Density].scalar(roots.uv[slot])
                                            : hairline.density(slot) * densityAtDepth(hairline.depth(slot));
+    if (density == 0.0F)
+        return 0.0F;
     return density * densityLeft(variation, roots.positionHd[slot]);
 }
 
