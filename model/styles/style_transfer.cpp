@@ -167,7 +167,7 @@ void carrySettings(sim::GroupSettings& settings, const Head& from, const Head& t
         if (row.countsOnScalp)
             row.writeShown(settings, row.shown(settings, from.scalpFraction), to.scalpFraction);
     const float ratio = sizeRatio(from, to);
-    for (const char* key : {"greatest_length_m", "shortest_length_m"}) {
+    for (const char* key : {"greatest_length_m", "shortest_length_m", "braid_spacing_m", "braid_radius_m"}) {
         const GroupSetting& row = groupSetting(QLatin1StringView(key));
         row.write(settings, std::clamp(row.read(settings) * static_cast<double>(ratio), row.least, row.greatest));
     }

@@ -17,8 +17,9 @@ namespace hairpaint::model {
 
 /// The groups as they look on another head: every layer of every map lies at the corresponding uv of its layout
 /// (UvCorrespondence), with its names, opacities and sizes; a map of one value stays so. Directions are told in the new
-/// head's frames. Numbers that count on the scalp count as many there; greatest and shortest length grow with a head
-/// that is larger or smaller by 3 % or more, so that hair ends at the same landmarks. None where progress stops it.
+/// head's frames. Numbers that count on the scalp count as many there; greatest and shortest length, the spacing and
+/// the radius of braids grow with a head that is larger or smaller by 3 % or more, so that hair ends at the same
+/// landmarks and there are as many braids. None where progress stops it.
 /// Unchanged where the style can't be carried. Any thread.
 [[nodiscard]] std::optional<std::vector<HairGroup>> carriedGroups(std::vector<HairGroup> groups,
                                                                   const std::shared_ptr<const Head>& from,

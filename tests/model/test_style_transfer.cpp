@@ -242,12 +242,19 @@ private Q_SLOTS:
         QFETCH(float, most);
         std::vector<HairGroup> groups = m_project.groups;
         groups.front().settings.shortestLengthM = 0.1F * groups.front().settings.greatestLengthM;
+        groups.front().settings.braidSpacingM = 0.1F;
         const std::shared_ptr<const Head>& head = foreignHead().head;
         const auto there = carriedGroups(groups, m_project.head, head);
         const float lengthM = groups.front().settings.greatestLengthM;
         const float thereM = there->front().settings.greatestLengthM;
         QVERIFY2(thereM > least * lengthM && thereM < most * lengthM, qPrintable(QString::number(thereM / lengthM)));
         QCOMPARE(there->front().settings.shortestLengthM, 0.1F * thereM);
+        // As many braids, as thick against the head.
+        for (const char* key : {"braid_spacing_m", "braid_radius_m"}) {
+            const GroupSetting& row = groupSetting(QLatin1StringView(key));
+            const double ratio = row.read(there->front().settings) / row.read(groups.front().settings);
+            QVERIFY2(std::abs(ratio * static_cast<double>(lengthM / thereM) - 1.0) < 1e-5, key);
+        }
         QCOMPARE(carriedGroups(*there, head, m_project.head)->front().settings.greatestLengthM, lengthM);
     }
 
