@@ -216,6 +216,7 @@ void GroupDynamics::hang(const StrandState& state, std::size_t strand, std::span
     const HangingStrand wanted{.segmentM = state.field(strand, kSegmentLength),
                                .stiffnessM = m_groom->settings.physics.stiffnessM,
                                .girthM = state.field(strand, kGirth),
+                               .firstGirthM = state.field(strand, kGirthFirst),
                                .styled = styledFraction(state.field(strand, kHold)),
                                .downHd = downHd};
     hangStrand(nodesHd, restHd, wanted, m_colliders, scales);

@@ -31,6 +31,7 @@ enum LaneField : std::uint8_t
     kExposure,     ///< Fraction of the wind's strength.
     kGirth,        ///< Distance at which it is kept from the skin, m: half the thickness of the braid about it,
                    ///< or what the hair beneath takes up; 0 for a single hair.
+    kGirthFirst,   ///< The same at its first node, which no more hair lies beneath than at rest.
     kRecoil,       ///< 0..1: see recoil(); 0 without body.
     kGive,         ///< Fraction of its length by which the strand stretches and shortens; 0: not at all.
     kStretch,      ///< Fraction by which it is longer now, -kGive..kGive,

@@ -38,8 +38,8 @@ void hangStrand(std::span<glm::vec3> nodesHd, std::span<const glm::vec3> restHd,
         const float carried = strand.segmentM * static_cast<float>(i) / std::max(strand.stiffnessM, 1e-3F);
         const float hangs = std::clamp((carried - 1.0F) * 0.5F, 0.0F, 1.0F);
         const glm::vec3 direction = unitOr(along + (strand.downHd - along) * hangs, strand.downHd);
-        const float clearanceM =
-            kSkinClearanceM + std::min(strand.girthM, kGirthSlope * strand.segmentM * static_cast<float>(i));
+        const float clearanceM = kSkinClearanceM + std::min(i == 1 ? strand.firstGirthM : strand.girthM,
+                                                            kGirthSlope * strand.segmentM * static_cast<float>(i));
         glm::vec3 node = parent + direction * strand.segmentM;
         for (int pass = 0; pass < 2; ++pass) {
             for (int c = 0; c < colliders.count; ++c) {

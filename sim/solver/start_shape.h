@@ -14,7 +14,8 @@ struct HangingStrand
 {
     float segmentM = 0.0F;
     float stiffnessM = 0.05F; ///< See PhysicsSettings.
-    float girthM = 0.0F;      ///< Half the thickness of the braid about it; 0: a hair.
+    float girthM = 0.0F;      ///< How far it is kept from the skin, see kGirth,
+    float firstGirthM = 0.0F; ///< and its first node.
     float styled = 0.0F;      ///< 0..1: how far the rest shape is held.
     glm::vec3 downHd{0.0F, -1.0F, 0.0F};
 };

@@ -32,11 +32,12 @@ float damped(float k)
     return 1.0F - std::min(1.0F, 1.2F * std::sqrt(k));
 }
 
+constexpr float kOfRest = 0.95F; ///< Fraction of its distance at rest at which hair beneath keeps a strand.
+
 /// How far from the skin the hair beneath keeps a strand (root first) with body: 95 % of its own distance at rest where
 /// that is least over the head once it has risen by kGirthSlope; at most its height in the coat.
 float heldUpM(const ColliderSet& colliders, std::span<const glm::vec3> restHd, float segmentM, float coatHeightM)
 {
-    constexpr float kOfRest = 0.95F;
     float heldM = colliders.grid ? coatHeightM : 0.0F;
     // Further on it is straight and knows nothing of the shoulders that it will lie on.
     for (std::size_t i = 2; i < restHd.size() && segmentM * static_cast<float>(i) < kFurthestLayM && heldM > 0.0F;
@@ -46,6 +47,13 @@ float heldUpM(const ColliderSet& colliders, std::span<const glm::vec3> restHd, f
             heldM = std::min(heldM, std::max(kOfRest * sample->distanceM, 0.0F));
     }
     return heldM;
+}
+
+/// The same at its first node: beside a parting hair has none beneath it, and the coat begins there.
+float heldAtFirstM(const ColliderSet& colliders, std::span<const glm::vec3> restHd, float heldM)
+{
+    const auto sample = heldM > 0.0F ? colliders.grid->at(restHd[1]) : std::nullopt;
+    return sample ? std::clamp(kOfRest * sample->distanceM, 0.0F, heldM) : heldM;
 }
 
 } // namespace
@@ -150,10 +158,16 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
     // Further out nothing is known of the skin.
     constexpr float kMostGirthM = DistanceGrid::kReachM - 0.5F * DistanceGrid::kCellM;
     float girthM = basis[BasisQuantity::Girth][basisIndex];
-    if (physics.body > 0.0F)
-        girthM = std::max(girthM, std::min(2.0F * physics.body, 1.0F) *
-                                      heldUpM(colliders, std::span(rest).first(nodes), segment, physics.volumeM));
+    float firstM = girthM;
+    if (physics.body > 0.0F) {
+        const std::span<const glm::vec3> line = std::span(rest).first(nodes);
+        const float amount = std::min(2.0F * physics.body, 1.0F);
+        const float heldM = heldUpM(colliders, line, segment, physics.volumeM);
+        girthM = std::max(girthM, amount * heldM);
+        firstM = std::max(firstM, amount * heldAtFirstM(colliders, line, heldM));
+    }
     state.field(basisIndex, kGirth) = std::min(girthM, kMostGirthM);
+    state.field(basisIndex, kGirthFirst) = std::min(firstM, kMostGirthM);
     constexpr float kGivenBack = 1.0F; // With less, what is left over keeps a braid creeping over a shoulder.
     state.field(basisIndex, kRecoil) = isBraided && physics.body > 0.0F ? kGivenBack : 0.0F;
     state.field(basisIndex, kGive) = basis[BasisQuantity::Give][basisIndex] / (1.0F + hold);

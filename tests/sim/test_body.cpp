@@ -132,6 +132,7 @@ private Q_SLOTS:
     void aLayerSinksLessIntoAnother();
     void aLockDragsItsNeighbours();
     void theCoatKeepsItsThickness();
+    void besideAPartingTheCoatLiesAsAtRest();
     void onAShoulderItDoesNotStandOffToTheSide();
     void atRestNothingCreepsAndNoGridIsMade();
     void aStormOfTenMinutesStaysBounded();
@@ -222,6 +223,37 @@ void TestBody::theCoatKeepsItsThickness()
     simulation.setWind({});
     simulation.settle(4.0);
     QVERIFY(keeps());
+}
+
+void TestBody::besideAPartingTheCoatLiesAsAtRest()
+{
+    // Hair leaves the top of a ball to both sides: no hair lies beneath its first nodes.
+    constexpr float kBallM = 0.1F;
+    std::vector<HandStrand> strands;
+    for (const float side : {-1.0F, 1.0F})
+        for (int i = 0; i < 8; ++i)
+            strands.push_back({.rootHd = {0.001F * side, kBallM, 0.004F * static_cast<float>(i - 4)},
+                               .directionHd = {side, 0.0F, 0.0F},
+                               .lengthM = 0.2F});
+    PhysicsSettings physics;
+    physics.body = 0.5F;
+    physics.volumeM = 0.01F;
+    physics.loft = 0.8F;
+    physics.stiffnessM = 0.02F;
+    GroupDynamics hair;
+    hair.setGroom(crowdOf(strands, 1, physics), prepareColliders({}, DistanceGrid::make(makeBallHead(64, kBallM))),
+                  WindField::calm({}));
+    hair.reset();
+    fall(hair, 240);
+    constexpr float kSegmentM = 0.2F / (kLayerNodes - 1);
+    const float restM = std::sqrt(kBallM * kBallM + kSegmentM * kSegmentM) - kBallM;
+    for (std::size_t i = 0; i < strands.size(); ++i) {
+        const float firstM = glm::length(nodeOf(hair, i, 1)) - kBallM;
+        QVERIFY2(firstM < restM + 0.002F, qPrintable(QString::number(firstM)));
+        // Further on the hair of the sides carries it as before.
+        const float secondM = glm::length(nodeOf(hair, i, 2)) - kBallM;
+        QVERIFY2(secondM > 0.8F * 0.0085F, qPrintable(QString::number(secondM)));
+    }
 }
 
 void TestBody::onAShoulderItDoesNotStandOffToTheSide()

@@ -60,7 +60,7 @@ HWY_INLINE bool collideAgain(const Obstacles& obstacles, Lanes3& p, Contact& con
 HWY_INLINE Lanes clearanceOf(const float* HWY_RESTRICT lanes, Lanes length, int node)
 {
     const Lanes eased = length * (kGirthSlope * static_cast<float>(node));
-    return least(loaded(lanes + kGirth * kLanes), eased) + kSkinClearanceM;
+    return least(loaded(lanes + (node == 1 ? kGirthFirst : kGirth) * kLanes), eased) + kSkinClearanceM;
 }
 
 } // namespace hairpaint::sim::HWY_NAMESPACE
