@@ -87,9 +87,9 @@ HairVariation variationOf(const VariationSettings& settings, std::uint64_t seed,
         own.leanRad = settings.crossing * chances.around(Lean);
     }
     if (settings.flyaways > 0.0F && chances.unit(Flyaway) < settings.flyaways) {
-        constexpr float kAcrossRad = 0.35F;
-        constexpr float kLeastLiftRad = 0.05F;
-        constexpr float kMostLiftRad = 0.35F;
+        constexpr float kAcrossRad = 0.6F;
+        constexpr float kLeastLiftRad = 0.03F;
+        constexpr float kMostLiftRad = 0.16F;
         own.isFlyaway = true;
         own.acrossRad += kAcrossRad * chances.around(FlyawayAcross);
         own.liftRad = kLeastLiftRad + (kMostLiftRad - kLeastLiftRad) * chances.unit(Lift);

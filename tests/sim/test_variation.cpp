@@ -42,7 +42,10 @@ const std::vector<Amount>& amounts()
         {"lean", &VariationSettings::crossing, 0.06F, [](const HairVariation& v) { return v.leanRad; }, 0.06, 0.02},
         {"flyaway", &VariationSettings::flyaways, 0.1F, [](const HairVariation& v) { return v.isFlyaway ? 1.0 : 0.0; },
          1.0, 0.1},
-        {"lift", &VariationSettings::flyaways, 0.1F, [](const HairVariation& v) { return v.liftRad; }, 0.35, 0.02},
+        {"lift", &VariationSettings::flyaways, 0.1F, [](const HairVariation& v) { return v.liftRad; }, 0.16, 0.0095},
+        // More to the side than off the others: what stands off along them is a second outline.
+        {"flyaway across", &VariationSettings::flyaways, 0.1F,
+         [](const HairVariation& v) { return v.isFlyaway ? v.acrossRad : 0.0F; }, 0.6, 0.02},
         {"grey", &VariationSettings::grey, 0.25F, [](const HairVariation& v) { return v.isGrey ? 1.0 : 0.0; }, 1.0,
          0.25}};
     return all;
