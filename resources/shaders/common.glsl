@@ -19,7 +19,8 @@ layout(std140, binding = 0) uniform Frame
     vec4 headWo;            // Centre; w: radius of the skull, m; 0 where there is no head.
     vec4 depthRange;        // Distance along the view of key 0, keys a metre; then c0, c1 of linearDepth.
     vec4 target;            // Samples across and up, samples a pixel across and up.
-    vec4 gridSize;          // Area in m2 of a voxel of either grid, seen along z; samples that a metre covers at 1 m.
+    vec4 gridSize;          // Area in m2 of a voxel of either grid, seen along z; samples that a metre covers at 1 m;
+                            // w: fraction of its light that skin keeps under dense hair.
     vec4 background[2];     // sRGB as encoded: in the middle of the picture, and how much it rises to the top.
     vec4 ringWo[2];         // Centre; w: radius, 0 where there is no ring.
     vec4 neckTurn;          // From the head's frame to the shoulders': x, y, z, w of a quaternion; w >= 0.

@@ -52,6 +52,6 @@ void main()
     // The light falls on the side of the head that is turned toward it; the other has no shadow to get.
     vec2 side = wo.xz - headWo.xz;
     float lit = smoothstep(-0.3, 0.2, dot(side, keyWo.xz) * inversesqrt(dot(side, side) + 1e-4));
-    float shade = (1.0 - 0.65 * lit * (1.0 - fromLight)) * (0.4 + 0.6 * toEye);
+    float shade = (1.0 - 0.65 * lit * (1.0 - fromLight)) * mix(gridSize.w, 1.0, toEye);
     imageStore(skinShade, cell, vec4(depth < 1.0 ? shade : 1.0));
 }

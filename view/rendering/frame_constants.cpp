@@ -98,6 +98,33 @@ std::array<Box, 2> hairBounds(const sim::StrandFrame& frame, const std::array<gl
     return boxes;
 }
 
+/// Fraction of its light that skin keeps under dense hair: light hair passes light on, dark hair takes it. By the mean
+/// of the encoded colours of a hair a chunk; as of black hair where none is drawn.
+float keptUnderHair(const sim::StrandFrame& hair)
+{
+    constexpr float kOfBlack = 0.08F;
+    constexpr float kPerLightness = 0.65F;
+    constexpr float kMost = 0.45F;
+    std::uint32_t sum = 0;
+    std::uint32_t hairs = 0;
+    for (const sim::GroupFrame& group : hair.groups) {
+        if (!group.groom || !group.groom->visible)
+            continue;
+        for (const auto& chunk : group.groom->chunks) {
+            if (!chunk || chunk->drawn.none())
+                continue;
+            std::size_t first = 0;
+            while (!chunk->drawn[first])
+                ++first;
+            const std::uint32_t colour = chunk->styles[first].rootColour;
+            sum += (colour & 0xFFU) + (colour >> 8U & 0xFFU) + (colour >> 16U & 0xFFU);
+            ++hairs;
+        }
+    }
+    const float lightness = hairs > 0 ? static_cast<float>(sum) / (765.0F * static_cast<float>(hairs)) : 0.0F;
+    return std::min(kOfBlack + kPerLightness * lightness, kMost);
+}
+
 /// Rounds a box outward to whole steps, so that it rests while the hair moves.
 void settle(Box& box, float stepM)
 {
@@ -188,6 +215,7 @@ FrameConstants frameConstants(const Scene& scene, const Target& target, float sk
                              glm::mat4(axes[grid]);
         c.gridSize[static_cast<int>(grid)] = extent.x * extent.y / static_cast<float>(kGridSide * kGridSide);
     }
+    c.gridSize.w = scene.hair ? keptUnderHair(*scene.hair) : 1.0F;
     c.gridSize.z = 0.5F * projection[1][1] * static_cast<float>(target.height * target.samples.y);
 
     // Depth keys reach over a ball around hair and head.
@@ -220,7 +248,7 @@ FrameConstants withoutHair(FrameConstants constants)
 {
     constants.gridFromWo = {};
     constants.depthRange = glm::vec4(0.0F);
-    constants.gridSize.x = constants.gridSize.y = 0.0F;
+    constants.gridSize.x = constants.gridSize.y = constants.gridSize.w = 0.0F;
     constants.background = {};
     constants.ringWo = {};
     constants.eyeGrid = {};

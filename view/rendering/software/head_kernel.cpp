@@ -393,8 +393,8 @@ void shadeRows(const ShadeTask& task, int begin, int end)
             const Lanes lit = smoothStep(-0.3F, 0.2F,
                                          (sideX * Lanes(task.lightWo.x) + sideZ * Lanes(task.lightWo.z)) /
                                              root(sideX * sideX + sideZ * sideZ + Lanes(1e-4F)));
-            const Lanes shade =
-                (Lanes(1.0F) - Lanes(0.65F) * lit * (Lanes(1.0F) - fromLight)) * (Lanes(0.4F) + Lanes(0.6F) * toEye);
+            const Lanes shade = (Lanes(1.0F) - Lanes(0.65F) * lit * (Lanes(1.0F) - fromLight)) *
+                                (Lanes(task.keptUnderHair) + Lanes(1.0F - task.keptUnderHair) * toEye);
             stored(shade, result);
             for (int i = 0; i < count; ++i)
                 out[i] = distance[i] < kNoHeadM ? result[i] : 1.0F;

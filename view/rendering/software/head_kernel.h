@@ -71,7 +71,8 @@ struct ShadeTask
     const float* distancesM = nullptr;
     const std::uint8_t* rowHasHead = nullptr; ///< [rows of samples] 0: no head in it.
     glm::vec3 viewAxisWo{0.0F};               ///< Away from the eye, unit: distances are measured along it.
-    float undrawnCoverings = 0.0F;            ///< As StrandView::undrawnCoverings; so is inEveryColumn.
+    float keptUnderHair = 1.0F;    ///< Fraction of its light that skin keeps under dense hair, see FrameConstants.
+    float undrawnCoverings = 0.0F; ///< As StrandView::undrawnCoverings; so is inEveryColumn.
     bool inEveryColumn = true;
     float* shade = nullptr;
     float* hidden = nullptr; ///< 0..1: how surely what lies behind the hair is hidden by it.

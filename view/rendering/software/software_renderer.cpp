@@ -138,6 +138,7 @@ void SoftwareRenderer::State::shade()
                          .distancesM = head.distancesM().data(),
                          .rowHasHead = head.rowHasHead().data(),
                          .viewAxisWo = glm::normalize(glm::vec3(far) / far.w - glm::vec3(constants.eyeWo)),
+                         .keptUnderHair = constants.gridSize.w,
                          .undrawnCoverings = hair.depth().undrawnCoverings,
                          .inEveryColumn = hair.depth().inEveryColumn,
                          .shade = skinShade.data(),
