@@ -76,7 +76,7 @@ Style pixie()
                     front(user, MapKind::Length, user.length(0.068F), 0.05F);
                     user.fill(MapKind::Clump, scalar(0.45F));
                     user.setMirror(false);
-                    user.part({.reachM = 0.09F, .flatness = 0.85F}, user.overHead(0.033F, 0.058F, -0.03F));
+                    user.part({.reachM = 0.09F, .flatness = 0.96F}, user.overHead(0.033F, 0.058F, -0.03F));
                     // The fringe, swept over the forehead.
                     for (const float furtherM : {0.0F, 0.009F})
                         user.comb(0.9F, {.sizeM = 0.022F, .hardness = 0.5F},

@@ -205,7 +205,7 @@ Style sidePart()
                     user.fill(MapKind::Clump, scalar(0.25F));
                     user.setMirror(false);
                     user.polygon(MapKind::Gel, scalar(0.35F), aroundTop(user));
-                    user.part({.reachM = 0.12F, .flatness = 0.93F}, user.overHead(kPartM, 0.06F, -0.06F));
+                    user.part({.reachM = 0.12F, .flatness = 0.98F}, user.overHead(kPartM, 0.06F, -0.06F));
                 }};
     style.settings.nodesPerHair = 10;
     style.settings.material.shine = 0.6F;
