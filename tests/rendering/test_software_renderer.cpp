@@ -196,42 +196,6 @@ private Q_SLOTS:
         QVERIFY(rendering::withoutHair(some) == rendering::withoutHair(others));
     }
 
-    /// Light hair passes light on to the skin beneath it, dark hair takes it.
-    void skinBeneathHairIsAsLightAsTheHairLets()
-    {
-        struct Hair
-        {
-            const char* name;
-            std::uint32_t colour;
-            float least, most; ///< Fraction of its light that the skin keeps.
-        };
-        for (const Hair& hair : {Hair{"black", 0xFF1B191EU, 0.1F, 0.2F}, Hair{"brown", 0xFF344356U, 0.2F, 0.3F},
-                                 Hair{"blond", 0xFF58809AU, 0.38F, 0.45F}, Hair{"white", 0xFFFFFFFFU, 0.45F, 0.45F}}) {
-            Scene scene = emptyScene();
-            scene.hair = makeFrame(comb(hair.colour, 100), plainSettings());
-            const float kept = rendering::frameConstants(scene, {.width = 200, .height = 150}, 0.1F).gridSize.w;
-            QVERIFY2(kept >= hair.least && kept <= hair.most, hair.name);
-        }
-        const auto skinBehind = [](std::uint32_t colour) {
-            // Skin shows in the gaps of a thick curtain before the ball.
-            Scene scene = emptyScene();
-            scene.head = makeBall({0.08F, 0.11F, 0.1F});
-            std::vector<HandMadeStrand> curtain = comb(colour, 240, 0.06F, 120e-6F);
-            for (HandMadeStrand& strand : curtain)
-                for (glm::vec3& node : strand.nodesWo)
-                    node.z += 0.11F;
-            scene.hair = makeFrame(curtain, plainSettings());
-            const Picture picture = softly(scene);
-            int lightest = 0;
-            for (int x = kSoftSide / 2 - 8; x < kSoftSide / 2 + 8; ++x)
-                lightest = std::max<int>(lightest, picture.at(x, kSoftSide / 2).x);
-            return lightest;
-        };
-        const int behindBlack = skinBehind(0xFF101010U);
-        const int behindWhite = skinBehind(0xFFF0F0F0U);
-        QVERIFY2(behindBlack + 20 < behindWhite, qPrintable(QStringLiteral("%1 %2").arg(behindBlack).arg(behindWhite)));
-    }
-
     void everyInstructionSetGivesTheSameBytes_data()
     {
         QTest::addColumn<qint64>("target");
