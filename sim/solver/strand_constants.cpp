@@ -49,11 +49,14 @@ float heldUpM(const ColliderSet& colliders, std::span<const glm::vec3> restHd, f
     return heldM;
 }
 
-/// The same at its first node: beside a parting hair has none beneath it, and the coat begins there.
+/// The same at its first node: beside a parting hair has none beneath it, and the coat begins there. A part of what
+/// holds the others is left, else the strand bows up to them and the coat grows.
 float heldAtFirstM(const ColliderSet& colliders, std::span<const glm::vec3> restHd, float heldM)
 {
     const auto sample = heldM > 0.0F ? colliders.grid->at(restHd[1]) : std::nullopt;
-    return sample ? std::clamp(kOfRest * sample->distanceM, 0.0F, heldM) : heldM;
+    constexpr float kLeft = 0.3F;
+    const float ownM = sample ? std::clamp(kOfRest * sample->distanceM, 0.0F, heldM) : heldM;
+    return ownM + kLeft * (heldM - ownM);
 }
 
 } // namespace

@@ -227,7 +227,8 @@ void TestBody::theCoatKeepsItsThickness()
 
 void TestBody::besideAPartingTheCoatLiesAsAtRest()
 {
-    // Hair leaves the top of a ball to both sides: no hair lies beneath its first nodes.
+    // Hair leaves the top of a ball to both sides: no hair lies beneath its first nodes, which were once held up by 7
+    // mm.
     constexpr float kBallM = 0.1F;
     std::vector<HandStrand> strands;
     for (const float side : {-1.0F, 1.0F})
@@ -249,7 +250,7 @@ void TestBody::besideAPartingTheCoatLiesAsAtRest()
     const float restM = std::sqrt(kBallM * kBallM + kSegmentM * kSegmentM) - kBallM;
     for (std::size_t i = 0; i < strands.size(); ++i) {
         const float firstM = glm::length(nodeOf(hair, i, 1)) - kBallM;
-        QVERIFY2(firstM < restM + 0.002F, qPrintable(QString::number(firstM)));
+        QVERIFY2(firstM < restM + 0.0035F, qPrintable(QString::number(firstM)));
         // Further on the hair of the sides carries it as before.
         const float secondM = glm::length(nodeOf(hair, i, 2)) - kBallM;
         QVERIFY2(secondM > 0.8F * 0.0085F, qPrintable(QString::number(secondM)));
