@@ -5,6 +5,7 @@
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 #include "model/heads/built_in_heads.h"
+#include "model/project/group_schema.h"
 #include "model/styles/style_transfer.h"
 #include "model/styles/style_use.h"
 #include "model/styles/uv_correspondence.h"

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <numeric>
 #include <queue>
+#include <tuple>
 
 namespace hairpaint::view {
 
@@ -100,22 +101,16 @@ UvWireframe::UvWireframe(const sim::HeadMesh& mesh)
 
 std::vector<unsigned> UvWireframe::seedOrder() const
 {
-    struct Place
-    {
-        bool inside = false;
-        std::uint64_t chance = 0;
-        unsigned vertex = 0;
-        auto operator<=>(const Place&) const = default;
-    };
+    using Place = std::tuple<bool, std::uint64_t, unsigned>;
     std::vector<Place> places;
     places.reserve(m_paper.size());
     for (unsigned i = 0; i < m_paper.size(); ++i)
-        places.push_back({!m_onBorder[i], shuffled(i), i});
+        places.emplace_back(!m_onBorder[i], shuffled(i), i);
     std::ranges::sort(places);
     std::vector<unsigned> order;
     order.reserve(places.size());
-    for (const Place& place : places)
-        order.push_back(place.vertex);
+    for (const auto& [inside, chance, vertex] : places)
+        order.push_back(vertex);
     return order;
 }
 
