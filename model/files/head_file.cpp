@@ -51,16 +51,15 @@ sim::HeadMesh builtInMesh(const QString& resource)
     return std::move(*mesh);
 }
 
-/// Of edges' middles. In the file, micrometres in 16 bits, little endian.
-std::vector<float> builtInDisplacements(const QString& resource)
+/// In the file, numbers of 16 bits, little endian.
+std::vector<float> builtInNumbers(const QString& resource)
 {
-    constexpr float kMetresPerUnit = 1e-6F;
     const QByteArray bytes = builtInFile(resource);
-    std::vector<float> metres;
-    metres.reserve(static_cast<std::size_t>(bytes.size()) / sizeof(qint16));
+    std::vector<float> numbers;
+    numbers.reserve(static_cast<std::size_t>(bytes.size()) / sizeof(qint16));
     for (qsizetype at = 0; at + 2 <= bytes.size(); at += 2)
-        metres.push_back(kMetresPerUnit * qFromLittleEndian<qint16>(bytes.constData() + at));
-    return metres;
+        numbers.push_back(qFromLittleEndian<qint16>(bytes.constData() + at));
+    return numbers;
 }
 
 /// The marks of the finer mesh's vertices, which begin with those of the coarser one; none where there is no such file.
@@ -116,18 +115,27 @@ std::vector<glm::vec3> builtInStream(const Head& head, const QString& resource)
     return directionsHd;
 }
 
-/// Beside creases the middles of bust-1's edges lie to the side, too: it has x, y, z of each.
+/// With each edge's middle moved along its normal by as many micrometres as the head's file tells. bust-1's file tells
+/// where they go and what normals they have: x, y, z in micrometres, then in 1/8192.
 sim::HeadMesh finerMesh(const sim::HeadMesh& carrying, const QString& resource)
 {
-    const QString offsets = resource + QStringLiteral(".offsets");
-    if (!QFile::exists(offsets))
-        return sim::subdivided(carrying, builtInDisplacements(resource + QStringLiteral(".displacement")));
-    const std::vector<float> metres = builtInDisplacements(offsets);
-    std::vector<glm::vec3> offsetsHd;
-    offsetsHd.reserve(metres.size() / 3);
-    for (std::size_t at = 0; at + 3 <= metres.size(); at += 3)
-        offsetsHd.emplace_back(metres[at], metres[at + 1], metres[at + 2]);
-    return sim::subdivided(carrying, offsetsHd);
+    constexpr float kMetresPerUnit = 1e-6F;
+    constexpr float kNormalPerUnit = 1.0F / 8192.0F;
+    const QString told = resource + QStringLiteral(".middles");
+    if (!QFile::exists(told)) {
+        std::vector<float> metres = builtInNumbers(resource + QStringLiteral(".displacement"));
+        for (float& displacement : metres)
+            displacement *= kMetresPerUnit;
+        return sim::subdivided(carrying, metres);
+    }
+    const std::vector<float> numbers = builtInNumbers(told);
+    std::vector<sim::MovedMiddle> middles;
+    middles.reserve(numbers.size() / 6);
+    for (std::size_t at = 0; at + 6 <= numbers.size(); at += 6)
+        middles.push_back(
+            {.offsetHd = kMetresPerUnit * glm::vec3(numbers[at], numbers[at + 1], numbers[at + 2]),
+             .normalOffset = kNormalPerUnit * glm::vec3(numbers[at + 3], numbers[at + 4], numbers[at + 5])});
+    return sim::subdivided(carrying, middles);
 }
 
 /// What is drawn of it: finer than what carries hair.

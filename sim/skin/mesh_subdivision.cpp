@@ -94,10 +94,15 @@ HeadMesh subdivided(const HeadMesh& mesh, std::span<const float> displacementsM)
     });
 }
 
-HeadMesh subdivided(const HeadMesh& mesh, std::span<const glm::vec3> offsetsHd)
+HeadMesh subdivided(const HeadMesh& mesh, std::span<const MovedMiddle> middles)
 {
     const std::vector<Edge> edges = edgesOf(mesh);
-    return split(mesh, edges, [&](std::size_t i) { return middleOf(mesh, edges[i]).positionHd + offsetsHd[i]; });
+    HeadMesh fine =
+        split(mesh, edges, [&](std::size_t i) { return middleOf(mesh, edges[i]).positionHd + middles[i].offsetHd; });
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        fine.normalsHd[mesh.normalsHd.size() + i] =
+            glm::normalize(middleOf(mesh, edges[i]).normalHd + middles[i].normalOffset);
+    return fine;
 }
 
 } // namespace hairpaint::sim

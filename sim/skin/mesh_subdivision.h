@@ -24,7 +24,13 @@ struct EdgeMiddle
 /// many as edgesOf gives). The mesh's own vertices stay as they are, in front of the new ones, whose normals follow the
 /// faces around them. uv lies where it did.
 [[nodiscard]] HeadMesh subdivided(const HeadMesh& mesh, std::span<const float> displacementsM);
-/// The same with middles that move in any direction (m, head space), as where the surface has a crease beside the edge.
-[[nodiscard]] HeadMesh subdivided(const HeadMesh& mesh, std::span<const glm::vec3> offsetsHd);
+/// Where a middle goes whose surface is known: to the side, too, where it has a crease beside the edge.
+struct MovedMiddle
+{
+    glm::vec3 offsetHd{0.0F};     ///< m, from EdgeMiddle::positionHd.
+    glm::vec3 normalOffset{0.0F}; ///< Added to EdgeMiddle::normalHd; the sum is made unit.
+};
+/// The same with middles that have a normal of their own.
+[[nodiscard]] HeadMesh subdivided(const HeadMesh& mesh, std::span<const MovedMiddle> middles);
 
 } // namespace hairpaint::sim

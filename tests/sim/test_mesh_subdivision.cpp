@@ -74,21 +74,25 @@ private Q_SLOTS:
         }
     }
 
-    void middlesMoveInAnyDirection()
+    void middlesMoveInAnyDirectionAndHaveTheirOwnNormals()
     {
         const HeadMesh ball = makeBallHead(24);
         const auto edges = edgesOf(ball);
         const std::vector<float> displacements(edges.size(), 0.001F);
-        std::vector<glm::vec3> offsets;
-        offsets.reserve(edges.size());
+        std::vector<MovedMiddle> middles;
+        middles.reserve(edges.size());
         for (const auto& edge : edges)
-            offsets.push_back(0.001F * middleOf(ball, edge).normalHd);
+            middles.push_back({.offsetHd = 0.001F * middleOf(ball, edge).normalHd});
         const HeadMesh along = subdivided(ball, displacements);
-        QVERIFY(subdivided(ball, offsets).positionsHd == along.positionsHd);
+        QVERIFY(subdivided(ball, middles).positionsHd == along.positionsHd);
         const glm::vec3 aside(0.002F, 0.0F, -0.001F);
-        offsets.back() += aside;
-        const HeadMesh moved = subdivided(ball, offsets);
+        middles.back().offsetHd += aside;
+        middles.back().normalOffset = {0.0F, 0.0F, 3.0F};
+        const HeadMesh moved = subdivided(ball, middles);
         QVERIFY(glm::distance(moved.positionsHd.back(), along.positionsHd.back() + aside) < 1e-7F);
+        const glm::vec3 turned = glm::normalize(middleOf(ball, edges.back()).normalHd + glm::vec3(0.0F, 0.0F, 3.0F));
+        QVERIFY(glm::distance(moved.normalsHd.back(), turned) < 1e-6F);
+        QVERIFY(glm::distance(moved.normalsHd.end()[-2], middleOf(ball, edges.end()[-2]).normalHd) < 1e-6F);
         QVERIFY(moved.triangles == along.triangles && moved.uvs == along.uvs);
     }
 };
