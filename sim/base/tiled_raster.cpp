@@ -213,8 +213,9 @@ float TiledRaster::sampleScalar(glm::vec2 uv) const
 {
     const Footprint f(uv, m_size);
     const auto [a, b, c, d] = corners({f.x0, f.y0}, {f.x1, f.y1});
-    // One texel that stands for all of a tile: what blend() makes of four equal ones.
-    return a == d ? static_cast<float>(*a) / 65535.0F : f.blend(*a, *b, *c, *d);
+    // One texel that stands for all of a tile: what blend() makes of four equal ones. Diagonal tiles may be one and the
+    // same, with others between them.
+    return a == b && a == c && a == d ? static_cast<float>(*a) / 65535.0F : f.blend(*a, *b, *c, *d);
 }
 
 TiledRaster::Neighbours TiledRaster::neighbours(glm::vec2 uv) const

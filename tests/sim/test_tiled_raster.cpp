@@ -50,6 +50,7 @@ private Q_SLOTS:
     void texelsOutsideAreClamped_data();
     void texelsOutsideAreClamped();
     void equalTexelsGiveExactlyTheirValueHoweverStored();
+    void whereFourTilesMeetAllFourAreRead();
     void theScalarIsTheFirstChannel();
     void nearestPicksTheTexelThatHoldsThePoint();
     void theFootprintHoldsEveryTexelRead();
@@ -204,6 +205,21 @@ void TestTiledRaster::equalTexelsGiveExactlyTheirValueHoweverStored()
             QCOMPARE(pixels.sampleBilinear(uv).x, uniform.sampleScalar(uv));
         }
     }
+}
+
+void TestTiledRaster::whereFourTilesMeetAllFourAreRead()
+{
+    // One tile stands twice, as where two parts were never painted.
+    const auto black = std::make_shared<RasterTile>();
+    const auto white = std::make_shared<RasterTile>();
+    white->uniform[0] = 65535;
+    TiledRaster raster(2 * TiledRaster::kTileSize, 1);
+    for (const int tile : {0, 3})
+        raster.setTile(tile, black);
+    for (const int tile : {1, 2})
+        raster.setTile(tile, white);
+    QCOMPARE(raster.sampleScalar({0.5F, 0.5F}), 0.5F);
+    QCOMPARE(raster.sampleBilinear({0.5F, 0.5F}).x, 0.5F);
 }
 
 void TestTiledRaster::theScalarIsTheFirstChannel()
