@@ -56,6 +56,7 @@ constexpr std::array kKinds{
              [](GroupSettings& settings) {
                  putShort(settings, {0.08F, 0.8e6F, 110e-6F, 0.004F, 0.06F});
                  settings.hairline.baby = 0.0F;
+                 settings.hairline.softenM = 0.0025F; // A moustache is a strip of 15 mm, and dense up to the lip.
              }},
     HairKind{"", QT_TRANSLATE_NOOP("HairKinds", "Something else"),
              [](GroupSettings& settings) {

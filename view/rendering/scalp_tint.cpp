@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -15,9 +16,10 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr std::size_t kVertexGrain = 2048;
-constexpr float kHalfCovers = 0.7e6F; ///< Hairs per m2 that tint by half of the strength.
+constexpr float kRoots = 0.63e6F; ///< Roots per m2 that leave 1/e of the skin as it is, where the strength is 1.
 
-/// A vertex reads density around itself too: where a parting is a line without roots, the skin beside it counts.
+/// A vertex reads density around itself too: the edge of hair is sharper than vertices are close and would show their
+/// triangles; where a parting is a line without roots, the skin beside it counts.
 constexpr float kBesideUv = 0.003F;
 constexpr std::array<glm::vec2, 5> kReads{glm::vec2(0.0F, 0.0F), glm::vec2(kBesideUv, kBesideUv),
                                           glm::vec2(-kBesideUv, kBesideUv), glm::vec2(kBesideUv, -kBesideUv),
@@ -25,11 +27,13 @@ constexpr std::array<glm::vec2, 5> kReads{glm::vec2(0.0F, 0.0F), glm::vec2(kBesi
 
 float densityAround(const sim::MapSampler& density, glm::vec2 uv)
 {
-    const auto at = [&](std::size_t i) { return density.scalar(uv + kReads[i]); };
+    std::array<float, kReads.size()> at{};
+    for (std::size_t i = 0; i < at.size(); ++i)
+        at[i] = density.scalar(uv + kReads[i]);
     // Dense on both sides of it: beyond an edge there is nothing.
-    const float across = std::max(std::min(at(1), at(4)), std::min(at(2), at(3)));
-    // On the rim of an island of the layout there may be nothing beside.
-    return std::max(density.scalar(uv), across);
+    const float across = std::max(std::min(at[1], at[4]), std::min(at[2], at[3]));
+    const float mean = std::accumulate(at.begin(), at.end(), 0.0F) / static_cast<float>(at.size());
+    return std::max(mean, across);
 }
 
 /// All points that vertices read, kReads.size() a vertex.
@@ -130,7 +134,7 @@ void ScalpTint::evaluate(std::span<const std::uint32_t> vertices)
                 const float hairs = densityAround(maps[group].density, uv) * m_sources[group].densityPerM2;
                 if (!(hairs > 0.0F))
                     continue;
-                const float cover = m_sources[group].strength * hairs / (hairs + kHalfCovers);
+                const float cover = m_sources[group].strength * (1.0F - std::exp(-hairs / kRoots));
                 tint = tint * (1.0F - cover) +
                        glm::vec4(linearOfEncoded(glm::vec3(maps[group].colour.channels(uv))), 1.0F) * cover;
             }

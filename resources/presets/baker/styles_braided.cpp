@@ -14,7 +14,7 @@ namespace {
 using Seen = Recording::Seen;
 
 /// The sides' cornrows, the highest first: from the temple over the ear and down behind it.
-constexpr std::array<Seen, 9> kHighRow{{{49.0F, 0.062F},
+constexpr std::array<Seen, 9> kHighRow{{{53.0F, 0.062F},
                                         {64.0F, 0.070F},
                                         {84.0F, 0.073F},
                                         {104.0F, 0.067F},
@@ -48,7 +48,7 @@ std::vector<Recording::Points> cornrowLines(const Recording& user)
     std::vector<Recording::Points> lines;
     for (const float leftM : {0.0F, 0.0135F, 0.027F, 0.0405F, 0.053F}) {
         Recording::Points line =
-            user.overHead(leftM, 0.080F - 0.2F * leftM - 6.0F * leftM * leftM, -0.085F + 0.5F * leftM);
+            user.overHead(leftM, 0.080F - 0.2F * leftM - 9.5F * leftM * leftM, -0.085F + 0.5F * leftM);
         for (const float heightM : {0.045F, 0.02F, -0.005F, -0.03F, -0.05F})
             line.push_back(user.around(180.0F - kDegreesPerM * leftM, heightM));
         lines.push_back(std::move(line));
@@ -96,8 +96,9 @@ Style cornrows()
                     user.addLayer(MapKind::Density, model::BlendMode::Multiply);
                     user.fill(MapKind::Density, scalar(0.0F));
                     for (const Recording::Points& row : cornrowLines(user)) {
-                        user.brush(MapKind::Braid, entry(kCornrow), {.sizeM = 0.008F, .hardness = 1.0F}, row);
-                        user.erase(MapKind::Density, {.sizeM = 0.009F, .hardness = 0.9F}, row);
+                        // No root beside the row: a hair of its own would hang over the face.
+                        user.brush(MapKind::Braid, entry(kCornrow), {.sizeM = 0.0095F, .hardness = 1.0F}, row);
+                        user.erase(MapKind::Density, {.sizeM = 0.008F, .hardness = 0.9F}, row);
                     }
                 }};
     style.settings.braidRadiusM = 0.0034F;

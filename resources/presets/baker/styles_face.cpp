@@ -31,6 +31,15 @@ namespace {
 
 using Seen = Recording::Seen;
 
+/// The upper lip from its middle outward, cut so that hair ends at the mouth.
+void trimMoustache(Recording& user, float lengthM)
+{
+    Recording::Points lip;
+    for (const float leftM : {0.0F, 0.008F, 0.016F, 0.022F})
+        lip.push_back(user.outward({leftM, -0.0545F - 0.15F * leftM, 0.0F}, {0.0F, 0.0F, 1.0F}));
+    user.brush(MapKind::Length, user.length(lengthM), {.sizeM = 0.020F, .hardness = 0.7F}, lip);
+}
+
 constexpr std::array<Seen, 2> kHead{{{7.0F, 0.0195F}, {7.5F, 0.025F}}};
 constexpr std::array<Seen, 3> kTail{{{30.0F, 0.026F}, {35.0F, 0.023F}, {40.0F, 0.018F}}};
 
@@ -82,6 +91,7 @@ Style fullBeard()
                                     {-0.03F, user.length(0.013F)},
                                     {-0.05F, user.length(0.020F)}},
                                    35.0F, 85.0F);
+                        trimMoustache(user, 0.009F);
                         user.fill(MapKind::Curl, scalar(0.10F));
                     },
                 .kind = "Beard"};
@@ -99,6 +109,7 @@ Style goatee()
                     [](Recording& user) {
                         user.fill(MapKind::Colour, colour(0xFF4A3020));
                         user.fill(MapKind::Length, user.length(0.014F));
+                        trimMoustache(user, 0.008F);
                         // Shaved beside the mouth and along the jaw.
                         for (const float heightM : {0.0F, -0.02F, -0.04F, -0.06F, -0.08F})
                             user.erase(MapKind::Density, {.sizeM = 0.03F, .hardness = 0.9F},
