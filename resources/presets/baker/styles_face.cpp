@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace hairpaint::presets {
@@ -38,6 +39,20 @@ void trimMoustache(Recording& user, float lengthM)
     for (const float leftM : {0.0F, 0.008F, 0.016F, 0.022F})
         lip.push_back(user.outward({leftM, -0.0545F - 0.15F * leftM, 0.0F}, {0.0F, 0.0F, 1.0F}));
     user.brush(MapKind::Length, user.length(lengthM), {.sizeM = 0.020F, .hardness = 0.7F}, lip);
+}
+
+/// Under the jaw, where it meets the neck.
+void trimUnderJaw(Recording& user, float lengthM)
+{
+    Recording::Points corner;
+    for (const float leftM : {0.0F, 0.012F, 0.024F, 0.036F, 0.046F})
+        corner.push_back(user.outward({leftM, -0.09F, 0.02F - 0.4F * leftM}, {0.0F, -0.6F, 0.8F}));
+    user.brush(MapKind::Length, user.length(lengthM), {.sizeM = 0.024F, .hardness = 0.4F}, corner);
+    Recording::Points throat;
+    for (const float degrees : {20.0F, 32.0F, 44.0F, 56.0F, 68.0F})
+        throat.push_back(user.outward({0.0F, -0.08F, 0.015F},
+                                      {0.0F, -std::cos(glm::radians(degrees)), std::sin(glm::radians(degrees))}));
+    user.brush(MapKind::Length, user.length(lengthM), {.sizeM = 0.036F, .hardness = 0.4F}, throat);
 }
 
 constexpr std::array<Seen, 2> kHead{{{7.0F, 0.0195F}, {7.5F, 0.025F}}};
@@ -91,6 +106,7 @@ Style fullBeard()
                                     {-0.03F, user.length(0.013F)},
                                     {-0.05F, user.length(0.020F)}},
                                    35.0F, 85.0F);
+                        trimUnderJaw(user, 0.008F);
                         trimMoustache(user, 0.009F);
                         user.fill(MapKind::Curl, scalar(0.10F));
                     },
@@ -109,6 +125,7 @@ Style goatee()
                     [](Recording& user) {
                         user.fill(MapKind::Colour, colour(0xFF4A3020));
                         user.fill(MapKind::Length, user.length(0.014F));
+                        trimUnderJaw(user, 0.006F);
                         trimMoustache(user, 0.008F);
                         // Shaved beside the mouth and along the jaw.
                         for (const float heightM : {0.0F, -0.02F, -0.04F, -0.06F, -0.08F})
