@@ -38,7 +38,13 @@ constexpr std::size_t kChunksAtOnce = 4;
 /// skipped.
 constexpr std::array<std::size_t, 3> kNearFirst{1, 0, 2};
 
-/// Distance from a bare probe to the edge, over the probes' spacing: the edge lies about halfway between probes.
+/// A bare probe is open where more than this share of the probes so many of their spacings around it is bare: half of
+/// them are along an edge, a sixth in the gap of a part.
+constexpr float kOpenShare = 0.36F;
+constexpr float kOpenReach = 2.5F;
+constexpr std::size_t kCellsAtOnce = 16;
+
+/// Distance from an open probe to the edge, over the probes' spacing: the edge lies about halfway between probes.
 constexpr float kBetweenProbes = 0.4F;
 
 bool sameTexels(const TiledRaster& before, const TiledRaster& after)
@@ -101,16 +107,17 @@ void Hairline::makeCells()
         ++m_first[m_cell[roots.slotOfRank[rank]] + 1];
     std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
     m_probe.resize(probes);
-    m_bare.resize(probes);
-    m_bareHd.resize(probes);
+    m_open.resize(probes);
+    m_openHd.resize(probes);
     std::vector<std::uint32_t> next(m_first.begin(), m_first.end() - 1);
     for (std::size_t rank = 0; rank < probes; ++rank) {
         const std::uint32_t slot = roots.slotOfRank[rank];
         m_probe[next[m_cell[slot]]++] = slot;
     }
     m_isBare.assign(probes, 0);
-    m_bareIn.assign(cells, 0);
-    m_bareAround.assign(cells, 0);
+    m_isOpen.assign(probes, 0);
+    m_openIn.assign(cells, 0);
+    m_openAround.assign(cells, 0);
 }
 
 std::size_t Hairline::cellOf(glm::vec3 positionHd) const
@@ -132,7 +139,6 @@ void Hairline::aroundCell(std::size_t cell, const Change& change) const
 void Hairline::readBare(const SlotSet& otherDensity, std::vector<std::uint8_t>& differs)
 {
     for (std::size_t cell = 0; cell + 1 < m_first.size(); ++cell) {
-        const std::uint32_t before = m_bareIn[cell];
         bool any = false;
         for (std::uint32_t probe = m_first[cell]; probe < m_first[cell + 1]; ++probe) {
             if (!otherDensity.contains(m_probe[probe]))
@@ -141,18 +147,60 @@ void Hairline::readBare(const SlotSet& otherDensity, std::vector<std::uint8_t>& 
             any |= isBare != m_isBare[probe];
             m_isBare[probe] = isBare;
         }
-        if (!any)
-            continue;
-        m_bareIn[cell] = 0;
-        for (std::uint32_t probe = m_first[cell]; probe < m_first[cell + 1]; ++probe)
-            if (m_isBare[probe] != 0) {
-                const std::uint32_t to = m_first[cell] + m_bareIn[cell]++;
-                m_bare[to] = m_probe[probe];
-                m_bareHd[to] = m_roots->positionHd[m_probe[probe]];
+        if (any)
+            aroundCell(cell, [&](std::size_t around) { differs[around] = 1; });
+    }
+}
+
+bool Hairline::isOpen(std::size_t cell, std::uint32_t probe) const
+{
+    const RootSet& roots = *m_roots;
+    const glm::vec3 centreHd = roots.positionHd[m_probe[probe]];
+    const glm::vec3 normalHd = roots.normalHd[m_probe[probe]];
+    const float reachM = std::min(kOpenReach * m_spacingM, 1.0F / m_perCell);
+    std::size_t bare = 0;
+    std::size_t all = 0;
+    aroundCell(cell, [&](std::size_t around) {
+        for (std::uint32_t other = m_first[around]; other < m_first[around + 1]; ++other) {
+            const glm::vec3 apart = roots.positionHd[m_probe[other]] - centreHd;
+            if (glm::dot(apart, apart) > reachM * reachM || !(glm::dot(roots.normalHd[m_probe[other]], normalHd) > 0.0F))
+                continue;
+            ++all;
+            bare += m_isBare[other];
+        }
+    });
+    return static_cast<float>(bare) > kOpenShare * static_cast<float>(all);
+}
+
+void Hairline::findOpen(const std::vector<std::uint8_t>& bareDiffers, std::vector<std::uint8_t>& differs)
+{
+    std::vector<std::uint8_t> openDiffers(bareDiffers.size(), 0);
+    parallelFor(bareDiffers.size(), kCellsAtOnce, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t cell = begin; cell < end; ++cell) {
+            if (bareDiffers[cell] == 0)
+                continue;
+            for (std::uint32_t probe = m_first[cell]; probe < m_first[cell + 1]; ++probe) {
+                const std::uint8_t open = m_isBare[probe] != 0 && isOpen(cell, probe) ? 1 : 0;
+                if (open != m_isOpen[probe])
+                    openDiffers[cell] = 1;
+                m_isOpen[probe] = open;
             }
-        const int more = (m_bareIn[cell] != 0 ? 1 : 0) - (before != 0 ? 1 : 0);
+        }
+    });
+    for (std::size_t cell = 0; cell < openDiffers.size(); ++cell) {
+        if (openDiffers[cell] == 0)
+            continue;
+        const std::uint32_t before = m_openIn[cell];
+        m_openIn[cell] = 0;
+        for (std::uint32_t probe = m_first[cell]; probe < m_first[cell + 1]; ++probe)
+            if (m_isOpen[probe] != 0) {
+                const std::uint32_t to = m_first[cell] + m_openIn[cell]++;
+                m_open[to] = m_probe[probe];
+                m_openHd[to] = m_roots->positionHd[m_probe[probe]];
+            }
+        const int more = (m_openIn[cell] != 0 ? 1 : 0) - (before != 0 ? 1 : 0);
         aroundCell(cell, [&](std::size_t around) {
-            m_bareAround[around] = static_cast<std::uint8_t>(m_bareAround[around] + more);
+            m_openAround[around] = static_cast<std::uint8_t>(m_openAround[around] + more);
             differs[around] = 1;
         });
     }
@@ -177,8 +225,10 @@ void Hairline::update(const MapRaster& density, SlotSet& dirty)
                 otherDensity.insert(slot);
             });
     });
-    std::vector<std::uint8_t> differs(m_bareIn.size(), 0);
-    readBare(otherDensity, differs);
+    std::vector<std::uint8_t> bareDiffers(m_openIn.size(), 0);
+    readBare(otherDensity, bareDiffers);
+    std::vector<std::uint8_t> differs(m_openIn.size(), 0);
+    findOpen(bareDiffers, differs);
     parallelFor(dirty.chunkCount(), kChunksAtOnce, [&](std::size_t begin, std::size_t end) {
         const std::size_t last = std::min(end * kChunkSlots, m_depth.size());
         for (std::size_t i = begin * kChunkSlots; i < last; ++i) {
@@ -197,7 +247,7 @@ float Hairline::depthAt(std::uint32_t slot) const
 {
     const RootSet& roots = *m_roots;
     const std::size_t cell = m_cell[slot];
-    if (m_bareAround[cell] == 0 || !(roots.threshold(slot) < m_density[slot]))
+    if (m_openAround[cell] == 0 || !(roots.threshold(slot) < m_density[slot]))
         return 1.0F;
     const glm::vec3 rootHd = roots.positionHd[slot];
     const glm::vec3 normalHd = roots.normalHd[slot];
@@ -219,13 +269,13 @@ float Hairline::depthAt(std::uint32_t slot) const
             for (const std::size_t x : kNearFirst) {
                 const std::size_t other = cell + z * layer + y * m_size.x + x - layer - m_size.x - 1;
                 const glm::vec3 away(awayM[x].x, awayM[y].y, awayM[z].z);
-                if (m_bareIn[other] == 0 || glm::dot(away, away) >= least)
+                if (m_openIn[other] == 0 || glm::dot(away, away) >= least)
                     continue;
-                for (std::uint32_t i = m_first[other]; i < m_first[other] + m_bareIn[other]; ++i) {
-                    const glm::vec3 apart = m_bareHd[i] - rootHd;
+                for (std::uint32_t i = m_first[other]; i < m_first[other] + m_openIn[other]; ++i) {
+                    const glm::vec3 apart = m_openHd[i] - rootHd;
                     const float squared = glm::dot(apart, apart);
                     // Probes on the other side of an ear do not count.
-                    if (squared < least && glm::dot(roots.normalHd[m_bare[i]], normalHd) > 0.0F)
+                    if (squared < least && glm::dot(roots.normalHd[m_open[i]], normalHd) > 0.0F)
                         least = squared;
                 }
             }

@@ -1,5 +1,6 @@
 // The edge of painted hair: how deep inside of it each root is. There hair is thinner, shorter and finer, however hard
-// the edge was painted. Only an edge to bare skin counts, not one between dense hair and less dense.
+// the edge was painted. Only an edge to bare skin counts, not one between dense hair and less dense, and not the gap of
+// a part, which has hair on both sides.
 #pragma once
 
 #include "sim/groom/map_slot.h"
@@ -16,7 +17,8 @@
 namespace hairpaint::sim {
 
 /// The roots of the first ranks, which cover the skin evenly, are its probes: where a probe's density is next to 0 the
-/// skin is bare, and a root's depth follows from its distance to the nearest bare probe. So it needs no neighbourhoods
+/// skin is bare, and where enough of the probes around it are bare too it is open. A root's depth follows from its
+/// distance to the nearest open probe. So it needs no neighbourhoods
 /// of the layout or the mesh, and a dab changes only the roots around it. One thread writes; any number read between.
 class Hairline
 {
@@ -40,6 +42,10 @@ private:
     /// Updates which probes are bare, of the roots whose density differs; marks the cells that touch a cell where that
     /// differs.
     void readBare(const SlotSet& otherDensity, std::vector<std::uint8_t>& differs);
+    /// Updates which probes of the cells marked in `bareDiffers` are open; marks the cells that touch a cell where that
+    /// differs. Uses parallelFor.
+    void findOpen(const std::vector<std::uint8_t>& bareDiffers, std::vector<std::uint8_t>& differs);
+    [[nodiscard]] bool isOpen(std::size_t cell, std::uint32_t probe) const;
     /// Calls `change` with a cell and with all cells that touch it.
     template<typename Change>
     void aroundCell(std::size_t cell, const Change& change) const;
@@ -59,11 +65,12 @@ private:
     std::vector<std::uint32_t> m_first;  ///< [cells + 1] where each cell's probes begin in the arrays by probe.
     std::vector<std::uint32_t> m_probe;  ///< [probes] slots, cell by cell.
     std::vector<std::uint8_t> m_isBare;  ///< [probes] 1 where no hair grows.
-    std::vector<std::uint32_t> m_bare;   ///< [probes] slots of a cell's bare probes, from its m_first on.
-    std::vector<glm::vec3> m_bareHd;     ///< [probes] and their positions.
-    std::vector<std::uint32_t> m_bareIn; ///< [cells] number of bare probes.
-    /// [cells] number of cells with bare probes among it and those that touch it.
-    std::vector<std::uint8_t> m_bareAround;
+    std::vector<std::uint8_t> m_isOpen;  ///< [probes] 1 where the skin around is bare too.
+    std::vector<std::uint32_t> m_open;   ///< [probes] slots of a cell's open probes, from its m_first on.
+    std::vector<glm::vec3> m_openHd;     ///< [probes] and their positions.
+    std::vector<std::uint32_t> m_openIn; ///< [cells] number of open probes.
+    /// [cells] number of cells with open probes among it and those that touch it.
+    std::vector<std::uint8_t> m_openAround;
 };
 
 /// Fraction of the density that is left at a depth.

@@ -29,6 +29,17 @@ GroomInput halfPatch(float left, float right, const HairlineSettings& hairline)
     return inputOf(patch(), group);
 }
 
+/// Bare between two edges so far from the middle line, in texels.
+MapRaster withGap(float halfTx)
+{
+    auto map = std::make_shared<TiledRaster>(512, 1, Texel{65535});
+    for (int x = 0; x < map->size(); ++x)
+        if (std::abs(static_cast<float>(x) - 255.5F) < halfTx)
+            for (int y = 0; y < map->size(); ++y)
+                map->setTexel(x, y, {0});
+    return map;
+}
+
 /// Hairs of a strip, by how far from the middle line they stand.
 struct Strip
 {
@@ -116,6 +127,38 @@ private Q_SLOTS:
         const auto [least, most] = deepest(1.0F);
         QVERIFY2(evenMost < 2 * evenLeast, qPrintable(QStringLiteral("%1 %2").arg(evenLeast).arg(evenMost)));
         QVERIFY2(most > 2 * least, qPrintable(QStringLiteral("%1 %2").arg(least).arg(most)));
+    }
+
+    void theGapOfAPartIsNoEdge_data()
+    {
+        QTest::addColumn<float>("gapM");
+        QTest::addColumn<bool>("isEdge");
+        QTest::newRow("the narrowest line") << 0.0008F << false;
+        QTest::newRow("a part") << 0.0015F << false;
+        QTest::newRow("a wide part") << 0.0025F << false;
+        QTest::newRow("a shaved strip") << 0.012F << true;
+    }
+    void theGapOfAPartIsNoEdge()
+    {
+        QFETCH(float, gapM);
+        QFETCH(bool, isEdge);
+        GroomInput input = halfPatch(1.0F, 1.0F, {.softenM = kSoftenM, .baby = 0.5F, .uneven = 1.0F});
+        input.groups[0].maps[MapSlot::Density] = withGap(0.5F * gapM / 0.2F * 512.0F);
+        const auto hairsBeside = [&] {
+            const auto groom = groomOf(input);
+            const Strip beside = stripOf(*groom, 0.5F * gapM + 0.0006F, 0.005F + 0.5F * gapM);
+            return std::pair(static_cast<double>(beside.hairs) / static_cast<double>(beside.roots),
+                             beside.lengthM / static_cast<double>(std::max<std::size_t>(beside.hairs, 1)));
+        };
+        const auto [share, lengthM] = hairsBeside();
+        input.groups[0].settings.hairline = {};
+        const auto [plainShare, plainM] = hairsBeside();
+        if (isEdge) {
+            QVERIFY(share < 0.8 * plainShare && lengthM < 0.95 * plainM);
+        } else {
+            QCOMPARE(share, plainShare);
+            QCOMPARE(lengthM, plainM);
+        }
     }
 
     void babyHairsAreShortFewAndAtTheEdge()
