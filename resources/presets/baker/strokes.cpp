@@ -133,6 +133,17 @@ Recording::Points overMiddle(const Recording& user)
     return middle;
 }
 
+void shaveMiddle(Recording& user, float widthM)
+{
+    user.erase(MapKind::Density, {.sizeM = widthM, .hardness = 1.0F}, overMiddle(user));
+    shaveDownTheBack(user);
+}
+
+void shaveDownTheBack(Recording& user)
+{
+    user.erase(MapKind::Density, {.sizeM = 0.0064F, .hardness = 1.0F}, user.along(kDownTheBack));
+}
+
 void cutToLine(Recording& user, float lineHeightM, float shortestM)
 {
     constexpr int kLowestMm = -85;

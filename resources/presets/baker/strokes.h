@@ -25,6 +25,10 @@ inline constexpr int kBun = 2;
 [[nodiscard]] Recording::Points aroundLeft(const Recording& user, float fromMiddleM);
 /// From the forehead over the head and down its back.
 [[nodiscard]] Recording::Points overMiddle(const Recording& user);
+/// No hair along it, of that width: hair between two regions would hang loose. Down the back is its lower half, where
+/// the layout has a seam, which regions keep up to a texel away from.
+void shaveMiddle(Recording& user, float widthM);
+void shaveDownTheBack(Recording& user);
 
 /// Cuts hair so that it ends at a height when it falls down the sides of the head, but for what is longer than it may
 /// or shorter than it can be.

@@ -72,9 +72,10 @@ Style bantuKnots()
                     user.polygon(MapKind::Accessory, entry(kBun), aroundLeft(user, 0.0F));
                     user.brush(MapKind::Accessory, entry(kBun), {.sizeM = 0.006F, .hardness = 1.0F}, overMiddle(user));
                     for (const Recording::Points& line : partings(user)) {
-                        user.erase(MapKind::Accessory, {.sizeM = 0.005F, .hardness = 1.0F}, line);
-                        user.erase(MapKind::Density, {.sizeM = 0.005F, .hardness = 0.9F}, line);
+                        user.erase(MapKind::Accessory, {.sizeM = 0.003F, .hardness = 1.0F}, line);
+                        user.erase(MapKind::Density, {.sizeM = 0.0046F, .hardness = 1.0F}, line);
                     }
+                    shaveDownTheBack(user);
                     for (const sim::SurfacePoint& point : knots(user)) {
                         user.gather(WornKind::Bun, point);
                         constexpr float kMiddleM = 0.001F;

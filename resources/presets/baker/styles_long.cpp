@@ -97,8 +97,8 @@ Style twoPlaits()
                     user.fill(MapKind::Colour, colour(0xFF6A4C2E));
                     user.fill(MapKind::Length, user.length(0.28F));
                     // A side is a region; the parting between them stays free.
-                    user.polygon(MapKind::Braid, entry(kPlait), aroundLeft(user, 0.0022F));
-                    user.erase(MapKind::Density, {.sizeM = 0.0058F, .hardness = 0.9F}, overMiddle(user));
+                    user.polygon(MapKind::Braid, entry(kPlait), aroundLeft(user, 0.0012F));
+                    shaveMiddle(user, 0.0042F);
                 }};
     style.settings.braidSpacingM = 0.6F;
     style.settings.braidRadiusM = 0.0105F;
