@@ -98,7 +98,7 @@ Style twoPlaits()
                     user.fill(MapKind::Length, user.length(0.28F));
                     // A side is a region; the parting between them stays free.
                     user.polygon(MapKind::Braid, entry(kPlait), aroundLeft(user, 0.0012F));
-                    shaveMiddle(user, 0.0042F);
+                    shaveMiddle(user, 0.0050F);
                 }};
     style.settings.braidSpacingM = 0.6F;
     style.settings.braidRadiusM = 0.0105F;

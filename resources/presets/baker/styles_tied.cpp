@@ -169,7 +169,7 @@ Style twinTails()
                     user.polygon(MapKind::Accessory, entry(kPonytail), aroundLeft(user, 0.0015F));
                     // Skin between the two, or they would be one.
                     user.erase(MapKind::Accessory, {.sizeM = 0.003F, .hardness = 1.0F}, overMiddle(user));
-                    shaveMiddle(user, 0.0046F);
+                    shaveMiddle(user, 0.0054F);
                     // So far back that tails fall behind the shoulders: on top of one they would bend and spread.
                     for (const float degrees : {130.0F, -130.0F})
                         user.gather(WornKind::Ponytail, user.around(degrees, 0.056F));
