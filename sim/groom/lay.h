@@ -1,4 +1,4 @@
-// How hairs lie without gravity: along the painted direction over the head, then free.
+// How hairs lie by themselves: along the painted direction over the head, then free, long ones hanging.
 #pragma once
 
 #include "sim/groom/group_settings.h"

@@ -1,4 +1,5 @@
-// A hair follows the field under it, in the coat, until the field or its hold ends; from there on it is straight.
+// A hair follows the field under it, in the coat, until the field or its hold ends; from there on it is straight, or
+// hangs where it is long and on its way down.
 #include "sim/groom/lay_kernel.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -21,6 +22,7 @@ constexpr float kTurnM = 0.008F;  ///< Length along which hair turns to another 
 constexpr float kSteepest = 0.6F; ///< Greatest sine of the angle at which a hair leaves the skin or goes back to it.
 /// The same for long hair that goes back to it: its weight draws it straight past hollows such as the neck.
 constexpr float kSteepestOfLong = 0.2F;
+constexpr float kHangM = 0.03F;    ///< Length along which long hair that leaves the head turns to hang by its weight.
 constexpr float kMostPush = 0.5F;  ///< Greatest push out of the head in a step, as a fraction of the step.
 constexpr float kClearM = 0.0005F; ///< Nothing is laid nearer to the skin.
 
@@ -96,6 +98,8 @@ HWY_INLINE void layFrom(const LayTask& task, std::size_t lane)
     HWY_ALIGN std::int32_t found[kLanes];
     std::array<std::size_t, kLanes> passes{};
     Yes lies = task.cells != nullptr ? row(lanes.lies) > 0.0F : noLane();
+    const Yes mayHang = lies & (falls > 0.0F);
+    const Lanes hanging = falls * step / (step + kHangM);
     Lanes path(0.0F);
     Lanes3 direction = row3(lanes.directionHd);
     Lanes3 p = row3(lanes.rootHd);
@@ -155,6 +159,12 @@ HWY_INLINE void layFrom(const LayTask& task, std::size_t lane)
                 direction = select(held, next, direction);
                 path = path + onlyWhere(held, step);
                 held = held & (flat > 0.0F);
+            }
+            const Yes hangs = mayHang & inStep & (direction.y < 0.0F) & (!held);
+            if (any(hangs)) {
+                Lanes3 next = direction - direction * hanging;
+                next.y = next.y - hanging;
+                direction = select(hangs, next * (one / root(most(dot(next, next), 1e-6F))), direction);
             }
             // What is not in this step waits as it is.
             lies = held | ((!inStep) & lies);

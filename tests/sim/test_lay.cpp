@@ -110,6 +110,7 @@ private Q_SLOTS:
     void flatHairFollowsTheHead_data();
     void flatHairFollowsTheHead();
     void hairLongerThanItsPathIsFree();
+    void longHairThatLeavesTheHeadHangs();
     void fieldsThatStandHoldNothing();
     void longHairFallsToItsSideWhereNobodyCombed();
     void hairThatStraysAcrossAPartingLiesToItsOtherSide();
@@ -175,12 +176,32 @@ void TestLay::flatHairFollowsTheHead()
 
 void TestLay::hairLongerThanItsPathIsFree()
 {
-    const LaidBall ball({0.95F, 0.0F});
-    const Nodes nodes = ball.lay(kSide, 0.5F);
-    // Past Lay::kFurthestM it goes on straight.
+    // Past Lay::kFurthestM hair that goes up goes on straight,
+    const LaidBall upward({0.0F, 0.95F});
+    const Nodes risen = upward.lay({1.0F, -0.6F, 0.2F}, 0.5F);
+    QVERIFY(risen[7].y > risen[5].y);
     for (std::size_t i = 5; i < kNodes; ++i)
-        QVERIFY(glm::distance(nodes[i] - nodes[i - 1], nodes[i - 1] - nodes[i - 2]) < 1e-5F);
-    QVERIFY(glm::length(nodes[7]) > 0.2F);
+        QVERIFY(glm::distance(risen[i] - risen[i - 1], risen[i - 1] - risen[i - 2]) < 1e-5F);
+    QVERIFY(glm::length(risen[7]) > 0.2F);
+}
+
+void TestLay::longHairThatLeavesTheHeadHangs()
+{
+    const auto cosines = [](DirectionVector direction, glm::vec3 at, float lengthM) {
+        const Nodes nodes = LaidBall(direction).lay(at, lengthM);
+        std::array<float, kNodes - 1> down{};
+        for (std::size_t i = 0; i + 1 < kNodes; ++i)
+            down[i] = (nodes[i].y - nodes[i + 1].y) / glm::distance(nodes[i], nodes[i + 1]);
+        return down;
+    };
+    // Around the ball and a little down: it turns to hang, by and by.
+    const auto around = cosines({0.95F, -0.2F}, kSide, 0.5F);
+    for (std::size_t i = 3; i < around.size(); ++i)
+        QVERIFY2(around[i] > around[i - 1], qPrintable(QString::number(i)));
+    QVERIFY2(around.back() > 0.98F, qPrintable(QString::number(around.back())));
+    // Hair too short to fall keeps its way: 7 cm stand off at the side as they are laid.
+    const auto standing = cosines({0.0F, -0.2F}, {1.0F, 0.0F, 0.0F}, 0.07F);
+    QVERIFY(standing.back() < 0.6F);
 }
 
 void TestLay::fieldsThatStandHoldNothing()
