@@ -89,42 +89,70 @@ BodyBounds BoundsOfBody(const BodyNodes& nodes, std::size_t begin, std::size_t e
     return bounds;
 }
 
+/// Nodes that are prepared before any is added to the grid: those of a strand are apart, so that none waits for what
+/// the one before has just written to a cell beside its own, as strands side by side would. Sums are the same.
+constexpr std::size_t kSplatNodes = 8;
+
+/// What nodes of kLanes strands add to the grid.
+struct SplatNodes
+{
+    HWY_ALIGN std::int32_t index[kSplatNodes * kLanes];     ///< [node][lane]: the cell;
+    HWY_ALIGN float value[kSplatNodes * kLanes * 4];        ///< [node][lane][4]: its values,
+    HWY_ALIGN float x[kSplatNodes * kLanes];                ///< the fraction that the second cell of a pair gets,
+    HWY_ALIGN float weights[kSplatNodes * kPairs * kLanes]; ///< [node][pair][lane]: and that of each pair.
+};
+
+HWY_INLINE void prepareSplat(const BodyGrid& grid, const MovingNode& moving, Lanes hair, std::size_t slot,
+                             SplatNodes& out)
+{
+    const CellOfNode cell = cellOf(grid, moving.position);
+    hn::Store(cell.index, IntTag(), out.index + slot * kLanes);
+    const Lanes3 momentum = moving.velocity * (hair * (1.0F / kBodyFastestM));
+    hn::StoreInterleaved4(hair.v, momentum.x.v, momentum.y.v, momentum.z.v, Tag(), out.value + slot * kLanes * 4);
+    stored(cell.t.x, out.x + slot * kLanes);
+    const Lanes beforeY = 1.0F - cell.t.y;
+    const Lanes beforeZ = 1.0F - cell.t.z;
+    float* const weights = out.weights + slot * kPairs * kLanes;
+    stored(beforeY * beforeZ, weights);
+    stored(cell.t.y * beforeZ, weights + kLanes);
+    stored(beforeY * cell.t.z, weights + 2 * kLanes);
+    stored(cell.t.y * cell.t.z, weights + 3 * kLanes);
+}
+
+HWY_INLINE void addNode(const BodyGrid& grid, const std::array<std::size_t, kPairs>& offsets, const SplatNodes& nodes,
+                        std::size_t slot, std::size_t lane)
+{
+    const std::size_t at = slot * kLanes + lane;
+    const Quad whole = quadOf(nodes.value + 4 * at);
+    const CellPair alongX = pairOf(whole * quadOf(1.0F - nodes.x[at]), whole * quadOf(nodes.x[at]));
+    std::int32_t* const first = grid.cells + std::size_t{4} * static_cast<std::size_t>(nodes.index[at]);
+    for (std::size_t pair = 0; pair < kPairs; ++pair)
+        addPair(alongX, nodes.weights[(slot * kPairs + pair) * kLanes + lane], first + offsets[pair]);
+}
+
 void SplatBody(const BodyNodes& nodes, const BodyGrid& grid, std::size_t begin, std::size_t end)
 {
     const std::size_t width = hn::Lanes(Tag());
     const auto count = static_cast<std::size_t>(nodes.nodes);
     const std::array<std::size_t, kPairs> offsets = pairOffsets(grid);
-    HWY_ALIGN std::int32_t index[kLanes];
-    HWY_ALIGN float value[kLanes * 4];
-    HWY_ALIGN float x[kLanes];
-    HWY_ALIGN float weights[kPairs * kLanes];
+    SplatNodes ready;
     for (std::size_t block = begin; block < end; ++block)
         for (std::size_t lane = 0; lane < kLanes; lane += width) {
-            const Lanes hair = loaded(nodes.hair + block * kLanes + lane);
+            const float* const hairs = nodes.hair + block * kLanes + lane;
+            const Lanes hair = loaded(hairs);
             if (!any(hair > 0.0F))
                 continue;
-            for (std::size_t node = kFirstBodyNode; node < count; ++node) {
-                const std::size_t at = (block * count + node) * StrandBlocks::kNodeStride + lane;
-                const MovingNode moving = nodeAt(nodes, at);
-                const CellOfNode cell = cellOf(grid, moving.position);
-                hn::Store(cell.index, IntTag(), index);
-                const Lanes3 momentum = moving.velocity * (hair * (1.0F / kBodyFastestM));
-                hn::StoreInterleaved4(hair.v, momentum.x.v, momentum.y.v, momentum.z.v, Tag(), value);
-                stored(cell.t.x, x);
-                const Lanes beforeY = 1.0F - cell.t.y;
-                const Lanes beforeZ = 1.0F - cell.t.z;
-                stored(beforeY * beforeZ, weights);
-                stored(cell.t.y * beforeZ, weights + kLanes);
-                stored(beforeY * cell.t.z, weights + 2 * kLanes);
-                stored(cell.t.y * cell.t.z, weights + 3 * kLanes);
+            for (std::size_t node = kFirstBodyNode; node < count; node += kSplatNodes) {
+                const std::size_t slots = std::min(kSplatNodes, count - node);
+                for (std::size_t slot = 0; slot < slots; ++slot) {
+                    const std::size_t at = (block * count + node + slot) * StrandBlocks::kNodeStride + lane;
+                    prepareSplat(grid, nodeAt(nodes, at), hair, slot, ready);
+                }
                 for (std::size_t i = 0; i < width; ++i) {
-                    if (value[4 * i] == 0.0F)
+                    if (hairs[i] == 0.0F)
                         continue;
-                    const Quad whole = quadOf(value + 4 * i);
-                    const CellPair alongX = pairOf(whole * quadOf(1.0F - x[i]), whole * quadOf(x[i]));
-                    std::int32_t* const first = grid.cells + std::size_t{4} * static_cast<std::size_t>(index[i]);
-                    for (std::size_t pair = 0; pair < kPairs; ++pair)
-                        addPair(alongX, weights[pair * kLanes + i], first + offsets[pair]);
+                    for (std::size_t slot = 0; slot < slots; ++slot)
+                        addNode(grid, offsets, ready, slot, i);
                 }
             }
         }
