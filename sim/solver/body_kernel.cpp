@@ -193,7 +193,8 @@ void ReadBody(const BodyNodes& nodes, const BodyGrid& grid, float* out, std::siz
 struct BodyAtNodes
 {
     HWY_ALIGN float values[kLanes * 4]; ///< Hair and its momentum.
-    HWY_ALIGN float slope[3 * kLanes];  ///< [3][kLanes] slope of the hair.
+    HWY_ALIGN float slopes[kLanes * 4]; ///< Slope of the hair along y, z, and twice what is not read.
+    HWY_ALIGN float slopeX[kLanes];     ///< Its slope along x.
 };
 
 /// `t`: [3][kLanes].
@@ -211,15 +212,14 @@ HWY_INLINE void readNode(const std::int32_t* HWY_RESTRICT first, const std::arra
     const CellPair depth = plus(lowBehind, riseBehind, y) - front;
     const CellPair all = plus(front, depth, z);
     const CellPair up = plus(rise, riseBehind - rise, z);
-    const Quad beside = secondCell(all) - firstCell(all);
-    stored(firstCell(all) + beside * quadOf(x), out.values + 4 * lane);
-    out.slope[lane] = firstOf(beside);
-    const auto along = [x](const CellPair& pair) {
-        const float first = firstOf(firstCell(pair));
-        return first + (firstOf(secondCell(pair)) - first) * x;
-    };
-    out.slope[kLanes + lane] = along(up);
-    out.slope[2 * kLanes + lane] = along(depth);
+    // The values and the slopes along y and z lie along x in the same way.
+    const CellPair slopes = beginnings(up, depth);
+    const CellPair lower = firstCells(all, slopes);
+    const CellPair beside = secondCells(all, slopes) - lower;
+    const CellPair there = plus(lower, beside, x);
+    stored(firstCell(there), out.values + 4 * lane);
+    stored(secondCell(there), out.slopes + 4 * lane);
+    out.slopeX[lane] = firstOf(firstCell(beside));
 }
 
 constexpr float kDenseFriction = 0.12F; ///< Fraction of the velocity against hair that is too dense that a step takes.
@@ -247,7 +247,9 @@ HWY_INLINE bool meetHair(const BodyGains& gains, const BodyAtNodes& at, Lanes pe
         friction = least(friction + much * kDenseFriction, kMostFriction);
         // The direction out of dense hair; 0 where hair is equally dense all around.
         constexpr float kEven = 0.25F; // Slope of a cell, as a fraction of what it holds, that tells a direction.
-        const Lanes3 slope{loaded(at.slope), loaded(at.slope + kLanes), loaded(at.slope + 2 * kLanes)};
+        Lanes3 slope{loaded(at.slopeX), 0.0F, 0.0F};
+        Lanes unused;
+        hn::LoadInterleaved4(Tag(), at.slopes, slope.y.v, slope.z.v, unused.v, unused.v);
         const Lanes even = hair * kEven;
         outward = slope * (much * -1.0F / root(most(dot(slope, slope) + even * even, 1.0F)));
     }
