@@ -89,17 +89,16 @@ BodyBounds BoundsOfBody(const BodyNodes& nodes, std::size_t begin, std::size_t e
     return bounds;
 }
 
-/// Nodes that are prepared before any is added to the grid: those of a strand are apart, so that none waits for what
-/// the one before has just written to a cell beside its own, as strands side by side would. Sums are the same.
-constexpr std::size_t kSplatNodes = 8;
+constexpr std::size_t kNodesAtOnce = 8; ///< So many of a strand are made ready before the grid is written or read.
 
-/// What nodes of kLanes strands add to the grid.
+/// What nodes of kLanes strands add to the grid. A strand's nodes are apart: added one after the other, none waits for
+/// what the one before has just written to a cell beside its own, as strands side by side would. Sums are the same.
 struct SplatNodes
 {
-    HWY_ALIGN std::int32_t index[kSplatNodes * kLanes];     ///< [node][lane]: the cell;
-    HWY_ALIGN float value[kSplatNodes * kLanes * 4];        ///< [node][lane][4]: its values,
-    HWY_ALIGN float x[kSplatNodes * kLanes];                ///< the fraction that the second cell of a pair gets,
-    HWY_ALIGN float weights[kSplatNodes * kPairs * kLanes]; ///< [node][pair][lane]: and that of each pair.
+    HWY_ALIGN std::int32_t index[kNodesAtOnce * kLanes];     ///< [node][lane]: the cell;
+    HWY_ALIGN float value[kNodesAtOnce * kLanes * 4];        ///< [node][lane][4]: its values,
+    HWY_ALIGN float x[kNodesAtOnce * kLanes];                ///< the fraction that the second cell of a pair gets,
+    HWY_ALIGN float weights[kNodesAtOnce * kPairs * kLanes]; ///< [node][pair][lane]: and that of each pair.
 };
 
 HWY_INLINE void prepareSplat(const BodyGrid& grid, const MovingNode& moving, Lanes hair, std::size_t slot,
@@ -142,8 +141,8 @@ void SplatBody(const BodyNodes& nodes, const BodyGrid& grid, std::size_t begin, 
             const Lanes hair = loaded(hairs);
             if (!any(hair > 0.0F))
                 continue;
-            for (std::size_t node = kFirstBodyNode; node < count; node += kSplatNodes) {
-                const std::size_t slots = std::min(kSplatNodes, count - node);
+            for (std::size_t node = kFirstBodyNode; node < count; node += kNodesAtOnce) {
+                const std::size_t slots = std::min(kNodesAtOnce, count - node);
                 for (std::size_t slot = 0; slot < slots; ++slot) {
                     const std::size_t at = (block * count + node + slot) * StrandBlocks::kNodeStride + lane;
                     prepareSplat(grid, nodeAt(nodes, at), hair, slot, ready);
@@ -158,52 +157,73 @@ void SplatBody(const BodyNodes& nodes, const BodyGrid& grid, std::size_t begin, 
         }
 }
 
+/// Where nodes of kLanes strands are in the grid, and what it holds there.
+struct BodyAtNodes
+{
+    HWY_ALIGN std::int32_t index[kNodesAtOnce * kLanes]; ///< [node][lane]: the cell,
+    HWY_ALIGN float t[kNodesAtOnce * 3 * kLanes];        ///< [node][3][lane]: and where in it, 0..1.
+    HWY_ALIGN float values[kNodesAtOnce * kLanes * 4];   ///< [node][lane][4]: hair and its momentum.
+};
+
+HWY_INLINE void locate(const BodyGrid& grid, const Lanes3& p, std::size_t slot, BodyAtNodes& nodes)
+{
+    const CellOfNode cell = cellOf(grid, p);
+    hn::Store(cell.index, IntTag(), nodes.index + slot * kLanes);
+    stored3(cell.t, nodes.t + slot * 3 * kLanes);
+}
+
+/// The two cells along x between the four pairs around a node.
+HWY_INLINE CellPair alongX(const std::int32_t* HWY_RESTRICT first, const std::array<std::size_t, kPairs>& offsets,
+                           float y, float z)
+{
+    const auto alongY = [&](std::size_t pair) {
+        const CellPair low = pairAt(first + offsets[pair]);
+        return plus(low, pairAt(first + offsets[pair + 1]) - low, y);
+    };
+    const CellPair front = alongY(0);
+    return plus(front, alongY(2) - front, z);
+}
+
+/// `slot`: which of the nodes made ready.
+HWY_INLINE void readNode(const BodyGrid& grid, const std::array<std::size_t, kPairs>& offsets, std::size_t slot,
+                         std::size_t lane, BodyAtNodes& nodes)
+{
+    const std::size_t at = slot * kLanes + lane;
+    const float* HWY_RESTRICT const t = nodes.t + slot * 3 * kLanes + lane;
+    const CellPair all = alongX(grid.cells + std::size_t{4} * static_cast<std::size_t>(nodes.index[at]), offsets,
+                                t[kLanes], t[2 * kLanes]);
+    stored(firstCell(all) + (secondCell(all) - firstCell(all)) * quadOf(t[0]), nodes.values + 4 * at);
+}
+
 void ReadBody(const BodyNodes& nodes, const BodyGrid& grid, float* out, std::size_t begin, std::size_t end)
 {
     const auto count = static_cast<std::size_t>(nodes.nodes);
     const std::array<std::size_t, kPairs> offsets = pairOffsets(grid);
-    HWY_ALIGN std::int32_t index[kLanes];
-    HWY_ALIGN float t[3 * kLanes];
-    HWY_ALIGN float values[kLanes * 4];
+    BodyAtNodes read;
     for (std::size_t block = begin; block < end; ++block)
         for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(Tag()))
             for (std::size_t node = 0; node < count; ++node) {
-                const CellOfNode cell =
-                    cellOf(grid, loaded3(nodes.positions + (block * count + node) * StrandBlocks::kNodeStride + lane));
-                hn::Store(cell.index, IntTag(), index);
-                stored3(cell.t, t);
-                for (std::size_t i = 0; i < hn::Lanes(Tag()); ++i) {
-                    const std::int32_t* const first = grid.cells + std::size_t{4} * static_cast<std::size_t>(index[i]);
-                    const auto alongY = [&](std::size_t pair) {
-                        const CellPair low = pairAt(first + offsets[pair]);
-                        return plus(low, pairAt(first + offsets[pair + 1]) - low, t[kLanes + i]);
-                    };
-                    const CellPair front = alongY(0);
-                    const CellPair all = plus(front, alongY(2) - front, t[2 * kLanes + i]);
-                    stored(firstCell(all) + (secondCell(all) - firstCell(all)) * quadOf(t[i]), values + 4 * i);
-                }
+                locate(grid, loaded3(nodes.positions + (block * count + node) * StrandBlocks::kNodeStride + lane), 0,
+                       read);
+                for (std::size_t i = 0; i < hn::Lanes(Tag()); ++i)
+                    readNode(grid, offsets, 0, i, read);
                 Lanes hair;
                 Lanes3 momentum;
-                hn::LoadInterleaved4(Tag(), values, hair.v, momentum.x.v, momentum.y.v, momentum.z.v);
+                hn::LoadInterleaved4(Tag(), read.values, hair.v, momentum.x.v, momentum.y.v, momentum.z.v);
                 stored(hair, out + (block * count + node) * kLanes + lane);
             }
 }
 
-/// The grid's values at the nodes of kLanes strands, and their slope per cell.
-struct BodyAtNodes
+/// The slope of the hair at a node, per cell, into slope[axis * kLanes].
+HWY_INLINE void readSlope(const BodyGrid& grid, const std::array<std::size_t, kPairs>& offsets, std::size_t slot,
+                          std::size_t lane, const BodyAtNodes& nodes, float* HWY_RESTRICT slope)
 {
-    HWY_ALIGN float values[kLanes * 4]; ///< Hair and its momentum.
-    HWY_ALIGN float slopes[kLanes * 4]; ///< Slope of the hair along y, z, and twice what is not read.
-    HWY_ALIGN float slopeX[kLanes];     ///< Its slope along x.
-};
-
-/// `t`: [3][kLanes].
-HWY_INLINE void readNode(const std::int32_t* HWY_RESTRICT first, const std::array<std::size_t, kPairs>& offsets,
-                         const float* HWY_RESTRICT t, std::size_t lane, BodyAtNodes& out)
-{
-    const float x = t[lane];
-    const float y = t[kLanes + lane];
-    const float z = t[2 * kLanes + lane];
+    const std::int32_t* const first =
+        grid.cells + std::size_t{4} * static_cast<std::size_t>(nodes.index[slot * kLanes + lane]);
+    const float* HWY_RESTRICT const t = nodes.t + slot * 3 * kLanes + lane;
+    const float x = t[0];
+    const float y = t[kLanes];
+    const float z = t[2 * kLanes];
     const CellPair low = pairAt(first);
     const CellPair lowBehind = pairAt(first + offsets[2]);
     const CellPair rise = pairAt(first + offsets[1]) - low;
@@ -212,14 +232,13 @@ HWY_INLINE void readNode(const std::int32_t* HWY_RESTRICT first, const std::arra
     const CellPair depth = plus(lowBehind, riseBehind, y) - front;
     const CellPair all = plus(front, depth, z);
     const CellPair up = plus(rise, riseBehind - rise, z);
-    // The values and the slopes along y and z lie along x in the same way.
-    const CellPair slopes = beginnings(up, depth);
-    const CellPair lower = firstCells(all, slopes);
-    const CellPair beside = secondCells(all, slopes) - lower;
-    const CellPair there = plus(lower, beside, x);
-    stored(firstCell(there), out.values + 4 * lane);
-    stored(secondCell(there), out.slopes + 4 * lane);
-    out.slopeX[lane] = firstOf(firstCell(beside));
+    const auto between = [x](const CellPair& pair) {
+        const float before = firstOf(firstCell(pair));
+        return before + (firstOf(secondCell(pair)) - before) * x;
+    };
+    slope[0] = firstOf(secondCell(all) - firstCell(all));
+    slope[kLanes] = between(up);
+    slope[2 * kLanes] = between(depth);
 }
 
 constexpr float kDenseFriction = 0.12F; ///< Fraction of the velocity against hair that is too dense that a step takes.
@@ -229,14 +248,32 @@ constexpr float kSettlingSteps = 20.0F; ///< Steps without motion after which a 
 constexpr float kSlowChange = 0.015F;   ///< Greatest change of the contact of a node at rest, for each grid.
 constexpr float kChangePerM = 450.0F;   ///< What is added to that for each metre that the node moves in a step.
 
+/// Where hair is `above` what it may be, the direction out of it, as long as the contact is strong; 0 where hair is
+/// equally dense all around, and elsewhere.
+HWY_INLINE Lanes3 outOfDense(const BodyGrid& grid, const std::array<std::size_t, kPairs>& offsets, std::size_t slot,
+                             const BodyAtNodes& nodes, Lanes hair, Lanes above, Lanes much)
+{
+    HWY_ALIGN float aboves[kLanes];
+    HWY_ALIGN float slopes[3 * kLanes] = {};
+    stored(above, aboves);
+    for (std::size_t i = 0; i < hn::Lanes(Tag()); ++i)
+        if (aboves[i] > 0.0F)
+            readSlope(grid, offsets, slot, i, nodes, slopes + i);
+    constexpr float kEven = 0.25F; // Slope of a cell, as a fraction of what it holds, that tells a direction.
+    const Lanes3 slope = loaded3(slopes);
+    const Lanes even = hair * kEven;
+    return slope * (much * -1.0F / root(most(dot(slope, slope) + even * even, 1.0F)));
+}
+
 /// Applies the hair around to nodes that moved by `velocity` in the last step: changes their velocity and contact.
 /// Returns whether any is in contact with hair.
-HWY_INLINE bool meetHair(const BodyGains& gains, const BodyAtNodes& at, Lanes perRest, const Lanes3& velocity,
-                         Lanes still, float* HWY_RESTRICT previous, float* HWY_RESTRICT contact)
+HWY_INLINE bool meetHair(const BodyGrid& grid, const std::array<std::size_t, kPairs>& offsets, const BodyGains& gains,
+                         const BodyAtNodes& nodes, std::size_t slot, Lanes perRest, const Lanes3& velocity, Lanes still,
+                         float* HWY_RESTRICT previous, float* HWY_RESTRICT contact)
 {
     Lanes hair;
     Lanes3 momentum;
-    hn::LoadInterleaved4(Tag(), at.values, hair.v, momentum.x.v, momentum.y.v, momentum.z.v);
+    hn::LoadInterleaved4(Tag(), nodes.values + slot * kLanes * 4, hair.v, momentum.x.v, momentum.y.v, momentum.z.v);
     const Yes awake = still < kStillSteps;
     const Lanes3 around = momentum * (kBodyFastestM / most(hair, 1.0F));
     const Lanes above = hair * perRest - (1.0F + kBodyDeadBand);
@@ -245,13 +282,7 @@ HWY_INLINE bool meetHair(const BodyGains& gains, const BodyAtNodes& at, Lanes pe
     if (any(above > 0.0F)) {
         const Lanes much = clamped(above * (1.0F / kBodyRange), 0.0F, 1.0F) * gains.contact;
         friction = least(friction + much * kDenseFriction, kMostFriction);
-        // The direction out of dense hair; 0 where hair is equally dense all around.
-        constexpr float kEven = 0.25F; // Slope of a cell, as a fraction of what it holds, that tells a direction.
-        Lanes3 slope{loaded(at.slopeX), 0.0F, 0.0F};
-        Lanes unused;
-        hn::LoadInterleaved4(Tag(), at.slopes, slope.y.v, slope.z.v, unused.v, unused.v);
-        const Lanes even = hair * kEven;
-        outward = slope * (much * -1.0F / root(most(dot(slope, slope) + even * even, 1.0F)));
+        outward = outOfDense(grid, offsets, slot, nodes, hair, above, much);
     }
     const Lanes3 taken = (around - velocity) * (friction * static_cast<float>(kStepsAGrid));
     stored3(loaded3(previous) - select(awake, taken, Lanes3{0.0F, 0.0F, 0.0F}), previous);
@@ -273,8 +304,6 @@ void PushBody(const BodyNodes& nodes, const BodyGrid& grid, const BodyPush& push
     const std::size_t width = hn::Lanes(Tag());
     const auto count = static_cast<std::size_t>(nodes.nodes);
     const std::array<std::size_t, kPairs> offsets = pairOffsets(grid);
-    HWY_ALIGN std::int32_t index[kLanes];
-    HWY_ALIGN float t[3 * kLanes];
     BodyAtNodes read;
     for (std::size_t block = begin; block < end; ++block) {
         bool isDense = false;
@@ -285,18 +314,20 @@ void PushBody(const BodyNodes& nodes, const BodyGrid& grid, const BodyPush& push
                 isWhole = false;
                 continue;
             }
-            for (std::size_t node = kFirstPushedNode; node < count; ++node) {
-                const std::size_t at = (block * count + node) * StrandBlocks::kNodeStride + lane;
-                const MovingNode moving = nodeAt(nodes, at);
-                const CellOfNode cell = cellOf(grid, moving.position);
-                hn::Store(cell.index, IntTag(), index);
-                stored3(cell.t, t);
-                for (std::size_t i = 0; i < width; ++i)
-                    readNode(grid.cells + std::size_t{4} * static_cast<std::size_t>(index[i]), offsets, t, i, read);
-                const Lanes perRest =
-                    loaded(push.perRest + (block * count + node) * kLanes + lane) * push.densityPerUnit;
-                isDense |=
-                    meetHair(push.gains, read, perRest, moving.velocity, still, push.previous + at, push.contact + at);
+            for (std::size_t node = kFirstPushedNode; node < count; node += kNodesAtOnce) {
+                const std::size_t slots = std::min(kNodesAtOnce, count - node);
+                const std::size_t row = block * count + node;
+                for (std::size_t slot = 0; slot < slots; ++slot)
+                    locate(grid, nodeAt(nodes, (row + slot) * StrandBlocks::kNodeStride + lane).position, slot, read);
+                for (std::size_t slot = 0; slot < slots; ++slot)
+                    for (std::size_t i = 0; i < width; ++i)
+                        readNode(grid, offsets, slot, i, read);
+                for (std::size_t slot = 0; slot < slots; ++slot) {
+                    const std::size_t at = (row + slot) * StrandBlocks::kNodeStride + lane;
+                    const Lanes perRest = loaded(push.perRest + (row + slot) * kLanes + lane) * push.densityPerUnit;
+                    isDense |= meetHair(grid, offsets, push.gains, read, slot, perRest, nodeAt(nodes, at).velocity,
+                                        still, push.previous + at, push.contact + at);
+                }
             }
         }
         push.dense[block] = isDense || (!isWhole && push.dense[block] != 0) ? 1 : 0;

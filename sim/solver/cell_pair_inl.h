@@ -46,20 +46,6 @@ HWY_INLINE Quad firstCell(CellPair pair)
 {
     return {hn::LowerHalf(QuadTag(), pair.v)};
 }
-/// In either cell the first numbers of a and b; the other two are not to be read.
-HWY_INLINE CellPair beginnings(CellPair a, CellPair b)
-{
-    return {hn::InterleaveLower(PairTag(), a.v, b.v)};
-}
-/// The first cells of a and of b.
-HWY_INLINE CellPair firstCells(CellPair a, CellPair b)
-{
-    return {hn::ConcatLowerLower(PairTag(), b.v, a.v)};
-}
-HWY_INLINE CellPair secondCells(CellPair a, CellPair b)
-{
-    return {hn::ConcatUpperUpper(PairTag(), b.v, a.v)};
-}
 HWY_INLINE Quad secondCell(CellPair pair)
 {
     return {hn::UpperHalf(QuadTag(), pair.v)};
@@ -116,26 +102,6 @@ HWY_INLINE CellPair plus(const CellPair& a, const CellPair& b, float t)
 HWY_INLINE Quad firstCell(const CellPair& pair)
 {
     return pair.first;
-}
-HWY_INLINE Quad beginnings(const Quad& a, const Quad& b)
-{
-#if HWY_TARGET == HWY_SCALAR
-    return {{a.v[0], b.v[0], 0.0F, 0.0F}};
-#else
-    return {hn::InterleaveLower(QuadTag(), a.v, b.v)};
-#endif
-}
-HWY_INLINE CellPair beginnings(const CellPair& a, const CellPair& b)
-{
-    return {beginnings(a.first, b.first), beginnings(a.second, b.second)};
-}
-HWY_INLINE CellPair firstCells(const CellPair& a, const CellPair& b)
-{
-    return {a.first, b.first};
-}
-HWY_INLINE CellPair secondCells(const CellPair& a, const CellPair& b)
-{
-    return {a.second, b.second};
 }
 HWY_INLINE Quad secondCell(const CellPair& pair)
 {
