@@ -372,6 +372,8 @@ void GroupDynamics::step(std::span<const StepForces> steps)
             m_braids->pass(count);
         }
         parallelFor(m_state.blocks, kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
+            if (m_body)
+                m_body->push(blocks, m_state.present, begin, end);
             stepBlocks(blocks, m_gains, m_colliders, left.first(count), m_state.present, begin, end);
         });
         m_state.present = (m_state.present + static_cast<int>(count)) % 2;

@@ -170,26 +170,35 @@ float HairBody::densityPerUnit() const
     return m_metresPerUnit * m_grid.inverseCell * m_grid.inverseCell * m_grid.inverseCell;
 }
 
-std::size_t HairBody::meet(StrandState& state, std::size_t wanted)
+std::size_t HairBody::meet(const StrandState& state, std::size_t wanted)
 {
-    if (m_stepsLeft == 0) {
-        const BodyNodes nodes = nodesOf(state);
-        makeGrid(nodes);
-        const BodyPush push{.gains = m_gains,
-                            .perRest = m_perRest.data(),
-                            .densityPerUnit = densityPerUnit(),
-                            .still = state.lanes.data() + std::size_t{kStill} * kLanes,
-                            .stillStride = static_cast<std::size_t>(state.laneRows) * kLanes,
-                            .previous = state.previous.data(),
-                            .contact = m_contact.data(),
-                            .dense = m_dense.data()};
-        parallelFor(m_blocks, kBlocksAtOnce,
-                    [&](std::size_t begin, std::size_t end) { pushBody(nodes, m_grid, push, begin, end); });
+    m_isNew = m_stepsLeft == 0;
+    if (m_isNew) {
+        makeGrid(nodesOf(state));
         m_stepsLeft = kStepsAGrid;
     }
     const std::size_t count = std::min(wanted, m_stepsLeft);
     m_stepsLeft -= count;
     return count;
+}
+
+void HairBody::push(const SolverBlocks& blocks, int present, std::size_t begin, std::size_t end)
+{
+    if (!m_isNew)
+        return;
+    const BodyNodes nodes{.nodes = m_nodes,
+                          .positions = blocks.positions[static_cast<std::size_t>(present)],
+                          .previous = blocks.previous,
+                          .hair = m_hair.data()};
+    const BodyPush push{.gains = m_gains,
+                        .perRest = m_perRest.data(),
+                        .densityPerUnit = densityPerUnit(),
+                        .still = blocks.lanes + std::size_t{kStill} * kLanes,
+                        .stillStride = blocks.laneRows * kLanes,
+                        .previous = blocks.previous,
+                        .contact = m_contact.data(),
+                        .dense = m_dense.data()};
+    pushBody(nodes, m_grid, push, begin, end);
 }
 
 } // namespace hairpaint::sim

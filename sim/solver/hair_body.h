@@ -24,7 +24,10 @@ public:
     /// The hair is elsewhere than it was: no contact until the next grid, which is made with the next step.
     void forget();
     /// Before a step; makes a grid where it is time for one. Returns how many steps of `wanted` it is for.
-    [[nodiscard]] std::size_t meet(StrandState& state, std::size_t wanted);
+    [[nodiscard]] std::size_t meet(const StrandState& state, std::size_t wanted);
+    /// What the grid does to blocks begin..end where meet() has just made one; nothing elsewhere. Before their step,
+    /// on the thread that takes it, while they are in its cache. Ranges that do not overlap may be pushed at once.
+    void push(const SolverBlocks& blocks, int present, std::size_t begin, std::size_t end);
 
     /// See SolverBlocks.
     [[nodiscard]] const float* contact() const { return m_contact.data(); }
@@ -53,6 +56,7 @@ private:
     AlignedFloats m_contact;    ///< and so its `out`.
     std::vector<std::uint8_t> m_dense;
     std::size_t m_stepsLeft = 0; ///< Until the next grid.
+    bool m_isNew = false;        ///< Whether the grid is, for the step that comes.
     std::uint64_t m_gridsMade = 0;
 };
 
