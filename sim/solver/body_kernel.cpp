@@ -266,10 +266,11 @@ HWY_INLINE Lanes3 outOfDense(const BodyGrid& grid, const std::array<std::size_t,
 }
 
 /// Applies the hair around to nodes that moved by `velocity` in the last step: changes their velocity and contact.
-/// Returns whether any is in contact with hair.
+/// Returns whether any is in contact with hair. `wasDense`: whether any node of the block was; else `contact` is 0 and
+/// stays unread where that does not change.
 HWY_INLINE bool meetHair(const BodyGrid& grid, const std::array<std::size_t, kPairs>& offsets, const BodyGains& gains,
                          const BodyAtNodes& nodes, std::size_t slot, Lanes perRest, const Lanes3& velocity, Lanes still,
-                         float* HWY_RESTRICT previous, float* HWY_RESTRICT contact)
+                         bool wasDense, float* HWY_RESTRICT previous, float* HWY_RESTRICT contact)
 {
     Lanes hair;
     Lanes3 momentum;
@@ -279,13 +280,16 @@ HWY_INLINE bool meetHair(const BodyGrid& grid, const std::array<std::size_t, kPa
     const Lanes above = hair * perRest - (1.0F + kBodyDeadBand);
     Lanes friction(gains.friction);
     Lanes3 outward{0.0F, 0.0F, 0.0F};
-    if (any(above > 0.0F)) {
+    const bool isDense = any(above > 0.0F);
+    if (isDense) {
         const Lanes much = clamped(above * (1.0F / kBodyRange), 0.0F, 1.0F) * gains.contact;
         friction = least(friction + much * kDenseFriction, kMostFriction);
         outward = outOfDense(grid, offsets, slot, nodes, hair, above, much);
     }
     const Lanes3 taken = (around - velocity) * (friction * static_cast<float>(kStepsAGrid));
     stored3(loaded3(previous) - select(awake, taken, Lanes3{0.0F, 0.0F, 0.0F}), previous);
+    if (!isDense && !wasDense)
+        return false;
     const Lanes3 before = loaded3(contact);
     const Lanes3 change = outward - before;
     const Lanes change2 = dot(change, change);
@@ -326,7 +330,7 @@ void PushBody(const BodyNodes& nodes, const BodyGrid& grid, const BodyPush& push
                     const std::size_t at = (row + slot) * StrandBlocks::kNodeStride + lane;
                     const Lanes perRest = loaded(push.perRest + (row + slot) * kLanes + lane) * push.densityPerUnit;
                     isDense |= meetHair(grid, offsets, push.gains, read, slot, perRest, nodeAt(nodes, at).velocity,
-                                        still, push.previous + at, push.contact + at);
+                                        still, push.dense[block] != 0, push.previous + at, push.contact + at);
                 }
             }
         }

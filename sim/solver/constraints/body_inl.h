@@ -34,8 +34,10 @@ HWY_INLINE Lanes3 heldBeside(const Contact& contact, const Lanes3& root, const L
     constexpr float kFarBelowM = 0.08F;
     constexpr float kFacesUp2 = 0.1F;
     const Lanes3& normal = contact.normal;
-    const Yes onShoulder = contact.touched & (root.y - p.y > kFarBelowM) & (normal.y > 0.0F) &
-                           (normal.y * normal.y * contact.inverseNormal2 > kFacesUp2);
+    const Yes farBelow = contact.touched & (root.y - p.y > kFarBelowM);
+    if (!any(farBelow))
+        return p;
+    const Yes onShoulder = farBelow & (normal.y > 0.0F) & (normal.y * normal.y * contact.inverseNormal2 > kFacesUp2);
     // What creeps is left to friction: a stop that yields to one side alone would never let hair come to rest.
     constexpr float kCreepsM = 3e-5F;
     const Lanes side = select(start.x > 0.0F, 1.0F, -1.0F);
