@@ -1,8 +1,9 @@
 // sim_step/hairs:H/nodes:N/threads:T/skin:S: one step of H basis hairs with wind, gel, three ellipsoids and two length
 // iterations. body_step/body_percent:B/threads:T: one step of the 4096 basis hairs, of 8 nodes, that stand for 100,000,
-// with skin and wind; B 0 is without body. body_share/threads:T: the same without and with half of body by turns, so that
-// whatever else the machine does slows down both; share_percent is what body adds. dependents/hairs:H/nodes:N/threads:T/skin:S: one frame of H hairs around
-// 4096 basis hairs. With skin:1 they are kept out of the skin, too.
+// with skin and wind; B 0 is without body. body_share/threads:T: the same without and with half of body by turns, so
+// that whatever else the machine does slows down both; share_percent is what body adds.
+// dependents/hairs:H/nodes:N/threads:T/skin:S: one frame of H hairs around 4096 basis hairs. With skin:1 they are kept
+// out of the skin, too.
 #include "bench_scene.h"
 
 #include "sim/base/parallel.h"
