@@ -135,35 +135,6 @@ HWY_INLINE Ints asInts(Lanes a)
 {
     return hn::ConvertTo(IntTag(), a.v);
 }
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
-HWY_INLINE hn::Vec128<std::int32_t> truncated(hn::Vec128<float> v)
-{
-    return hn::Vec128<std::int32_t>{_mm_cvttps_epi32(v.raw)};
-}
-#if HWY_MAX_BYTES >= 32
-HWY_INLINE hn::Vec256<std::int32_t> truncated(hn::Vec256<float> v)
-{
-    return hn::Vec256<std::int32_t>{_mm256_cvttps_epi32(v.raw)};
-}
-#endif
-#if HWY_MAX_BYTES >= 64
-HWY_INLINE hn::Vec512<std::int32_t> truncated(hn::Vec512<float> v)
-{
-    return hn::Vec512<std::int32_t>{_mm512_cvttps_epi32(v.raw)};
-}
-#endif
-#else
-template<class V>
-HWY_INLINE auto truncated(V v)
-{
-    return hn::ConvertTo(hn::RebindToSigned<hn::DFromV<V>>(), v);
-}
-#endif
-/// The same where every lane is in an int's range: one instruction, where the other also tells what is beyond.
-HWY_INLINE Ints asIntsInRange(Lanes a)
-{
-    return truncated(a.v);
-}
 HWY_INLINE Lanes asFloats(Ints a)
 {
     return Lanes(hn::ConvertTo(Tag(), a));

@@ -30,9 +30,9 @@ HWY_INLINE CellOfNode cellOf(const BodyGrid& grid, const Lanes3& p)
     // What is not a number is in the first cell.
     c = {least(most(c.x, 0.0F), grid.last[0]), least(most(c.y, 0.0F), grid.last[1]),
          least(most(c.z, 0.0F), grid.last[2])};
-    const Ints x = asIntsInRange(c.x);
-    const Ints y = asIntsInRange(c.y);
-    const Ints z = asIntsInRange(c.z);
+    const Ints x = asInts(c.x);
+    const Ints y = asInts(c.y);
+    const Ints z = asInts(c.z);
     const Ints index = hn::Add(x, hn::Add(hn::Mul(y, hn::Set(di, grid.row)), hn::Mul(z, hn::Set(di, grid.slice))));
     return {index, c - Lanes3{asFloats(x), asFloats(y), asFloats(z)}};
 }

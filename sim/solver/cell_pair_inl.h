@@ -30,7 +30,7 @@ HWY_INLINE CellPair pairAt(const std::int32_t* HWY_RESTRICT cell)
 HWY_INLINE void addPair(CellPair pair, float weight, std::int32_t* HWY_RESTRICT cell)
 {
     const PairIntTag di;
-    const hn::Vec<PairIntTag> whole = truncated(hn::Mul(pair.v, hn::Set(PairTag(), weight)));
+    const hn::Vec<PairIntTag> whole = hn::ConvertTo(di, hn::Mul(pair.v, hn::Set(PairTag(), weight)));
     hn::StoreU(hn::Add(hn::LoadU(di, cell), whole), di, cell);
 }
 HWY_INLINE CellPair operator-(CellPair a, CellPair b)
@@ -71,7 +71,7 @@ HWY_INLINE Quad quadOfCell(const std::int32_t* HWY_RESTRICT cell)
 HWY_INLINE void addToCell(Quad quad, std::int32_t* HWY_RESTRICT cell)
 {
     const QuadIntTag di;
-    hn::Store(hn::Add(hn::Load(di, cell), truncated(quad.v)), di, cell);
+    hn::Store(hn::Add(hn::Load(di, cell), hn::ConvertTo(di, quad.v)), di, cell);
 }
 #endif
 struct CellPair
