@@ -163,7 +163,8 @@ bool Hairline::isOpen(std::size_t cell, std::uint32_t probe) const
     aroundCell(cell, [&](std::size_t around) {
         for (std::uint32_t other = m_first[around]; other < m_first[around + 1]; ++other) {
             const glm::vec3 apart = roots.positionHd[m_probe[other]] - centreHd;
-            if (glm::dot(apart, apart) > reachM * reachM || !(glm::dot(roots.normalHd[m_probe[other]], normalHd) > 0.0F))
+            if (glm::dot(apart, apart) > reachM * reachM ||
+                !(glm::dot(roots.normalHd[m_probe[other]], normalHd) > 0.0F))
                 continue;
             ++all;
             bare += m_isBare[other];
