@@ -64,7 +64,7 @@ GatheredHair::~GatheredHair() = default;
 GatheredHair::GatheredHair(GatheredHair&&) noexcept = default;
 GatheredHair& GatheredHair::operator=(GatheredHair&&) noexcept = default;
 
-void GatheredHair::setGroom(const Groom& groom, const ColliderSet& colliders, const StepForces& calm)
+void GatheredHair::setGroom(const Groom& groom, const ColliderSet& colliders, const StepForces& calm, const Neck& neck)
 {
     if (!groom.tails) {
         m_tails.reset();
@@ -73,7 +73,7 @@ void GatheredHair::setGroom(const Groom& groom, const ColliderSet& colliders, co
     }
     if (!m_tails)
         m_tails = std::make_unique<GroupDynamics>();
-    m_tails->setGroom(groom.tails, colliders, calm);
+    m_tails->setGroom(groom.tails, colliders, calm, neck);
 }
 
 void GatheredHair::write(GroupFrame& frame, float fraction, const HeadPose& pose, const Neck& neck) const

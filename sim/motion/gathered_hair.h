@@ -22,7 +22,7 @@ public:
     GatheredHair& operator=(GatheredHair&&) noexcept;
 
     /// As GroupDynamics::setGroom; drops the tails where the groom has none.
-    void setGroom(const Groom& groom, const ColliderSet& colliders, const StepForces& calm);
+    void setGroom(const Groom& groom, const ColliderSet& colliders, const StepForces& calm, const Neck& neck);
     /// How the tails move; null where there are none.
     [[nodiscard]] GroupDynamics* tails() const { return m_tails.get(); }
     /// Writes the gathered hairs into a frame of the group whose other hairs are written.

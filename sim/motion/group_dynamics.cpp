@@ -42,6 +42,18 @@ glm::vec3 downOf(const StepForces& calm)
     return pull > 0.0F ? gravity / pull : glm::vec3(0.0F, -1.0F, 0.0F);
 }
 
+/// The direction in which hair hangs that leans: it starts on its own side of the shoulder.
+glm::vec3 leaningDown(const StepForces& calm, const GroupGains& gains, float lean)
+{
+    if (!gains.leans || lean == 0.0F)
+        return downOf(calm);
+    constexpr float kOfStrand = 0.75F; // The lean grows along the strand, and most of it hangs from there on.
+    StepForces leaning = calm;
+    for (std::size_t axis = 0; axis < leaning.gravity.size(); ++axis)
+        leaning.gravity[axis] += kOfStrand * lean * gains.lean[axis];
+    return downOf(leaning);
+}
+
 /// Number of times that the distance within which hair counts as still has doubled.
 unsigned doublingsAfter(std::size_t calmSteps)
 {
@@ -77,11 +89,13 @@ const Groom& nothing()
 
 } // namespace
 
-void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderSet& colliders, const StepForces& calm)
+void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderSet& colliders, const StepForces& calm,
+                             const Neck& neck)
 {
+    m_neck = neck;
     if (groom == m_groom && sameColliders(m_colliders, colliders)) {
         m_isNew = m_groom->basisCount == 0;
-        m_gathered.setGroom(*m_groom, colliders, calm);
+        m_gathered.setGroom(*m_groom, colliders, calm, neck);
         return; // Something else of the input differs: hair at rest stays at rest.
     }
     const std::shared_ptr<const Groom> kept = std::exchange(m_groom, std::move(groom));
@@ -116,6 +130,8 @@ void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderS
     }
     m_isNew = arrived.size() == m_groom->basisCount;
     settle(arrived, calm);
+    if (m_isNew)
+        m_fall.begin();
     if (!(m_groom->settings.physics.body > 0.0F))
         m_body.reset();
     else if (!m_body)
@@ -125,7 +141,7 @@ void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderS
     setBraids();
     const bool otherCoat = otherColliders || otherGains || before.roots != m_groom->roots;
     m_dependents.prepare(*m_groom, m_colliders, otherCoat);
-    m_gathered.setGroom(*m_groom, m_colliders, calm);
+    m_gathered.setGroom(*m_groom, m_colliders, calm, neck);
     rouse();
 }
 
@@ -222,6 +238,19 @@ void GroupDynamics::hang(const StrandState& state, std::size_t strand, std::span
     hangStrand(nodesHd, restHd, wanted, m_colliders, scales);
 }
 
+void GroupDynamics::setLean(StrandState& state, std::size_t strand, std::span<const glm::vec3> restHd) const
+{
+    const float segmentM = state.field(strand, kSegmentLength);
+    float& lean = state.field(strand, kLean);
+    lean = 0.0F;
+    if (!reachesShoulders(restHd, segmentM, m_neck))
+        return;
+    std::array<glm::vec3, kMostNodes> hanging;
+    const std::span<glm::vec3> nodesHd = std::span(hanging).first(restHd.size());
+    hang(state, strand, restHd, glm::vec3(0.0F, -1.0F, 0.0F), nodesHd);
+    lean = leanOf(nodesHd, segmentM, m_neck);
+}
+
 void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForces& calm)
 {
     if (strands.empty())
@@ -237,10 +266,10 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
         physics.damping = std::max(physics.damping, kSettleDamping);
         GroupGains damped = gainsOf(physics, m_groom->nodes);
         damped.beginsInAir = m_groom->isOfTails;
+        FirstFall::begun().apply(m_neck, damped);
         return damped;
     }();
     const std::vector<StepForces> steps(kSettleSteps, calm);
-    const glm::vec3 downHd = downOf(calm);
     parallelFor(alone.blocks, 4, [&](std::size_t begin, std::size_t end) {
         std::array<glm::vec3, kMostNodes> shape;
         std::array<glm::vec3, kMostNodes> hanging;
@@ -250,7 +279,9 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
             alone.shape().write(rest, i, std::span(shape).first(nodes));
             for (int row = 0; row < m_state.laneRows; ++row)
                 alone.field(i, row) = m_state.field(strand, row);
-            hang(alone, i, std::span(shape).first(nodes), downHd, std::span(hanging).first(nodes));
+            setLean(alone, i, std::span(shape).first(nodes));
+            hang(alone, i, std::span(shape).first(nodes), leaningDown(calm, gains, alone.field(i, kLean)),
+                 std::span(hanging).first(nodes));
             alone.setStrand(i, std::span(hanging).first(nodes));
         }
         stepBlocks(alone.view(rest.data()), gains, m_colliders, steps, 0, begin, end);
@@ -275,8 +306,10 @@ void GroupDynamics::reset()
                 continue;
             m_groom->blocks().read(m_groom->basis->restPositions, strand, std::span(rest).first(nodes));
             m_state.setStrand(strand, std::span(rest).first(nodes));
+            setLean(m_state, strand, std::span(rest).first(nodes));
         }
     });
+    m_fall.begin();
     if (m_body)
         m_body->forget();
     if (m_braids)
@@ -296,6 +329,7 @@ void GroupDynamics::hangAnew(const StepForces& calm)
         if (m_state.field(strand, kStill) < kUnwanted)
             wanted.push_back(strand);
     settle(wanted, calm);
+    m_fall.begin();
     if (m_body)
         m_body->forget();
     if (m_braids)
@@ -360,6 +394,7 @@ void GroupDynamics::step(std::span<const StepForces> steps)
         std::size_t count = left.size();
         if (m_body || m_braids)
             count = calmDown(left);
+        count = std::min(count, m_fall.apply(m_neck, m_gains));
         if (m_braids)
             count = m_braids->meet(m_state, left.first(count));
         if (m_body) {
@@ -377,6 +412,7 @@ void GroupDynamics::step(std::span<const StepForces> steps)
             stepBlocks(blocks, m_gains, m_colliders, left.first(count), m_state.present, begin, end);
         });
         m_state.present = (m_state.present + static_cast<int>(count)) % 2;
+        m_fall.pass(count);
         for (const StepForces& step : left.first(count))
             m_calmSteps = calmAfter(m_calmSteps, step);
         left = left.subspan(count);

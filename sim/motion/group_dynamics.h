@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/motion/dependents.h"
+#include "sim/motion/first_fall.h"
 #include "sim/motion/gathered_hair.h"
 #include "sim/motion/strand_frame.h"
 #include "sim/solver/braid_contact.h"
@@ -21,8 +22,9 @@ class GroupDynamics
 public:
     /// Strands that stay keep their motion to the last bit; new ones start hanging still under `calm` (gravity alone);
     /// those whose rest shape differs go along with it; any other difference wakes the strand. The groom and
-    /// colliders of before leave everything as it is.
-    void setGroom(std::shared_ptr<const Groom> groom, const ColliderSet& colliders, const StepForces& calm);
+    /// colliders of before leave everything as it is. `neck` divides hair that is new: see FirstFall.
+    void setGroom(std::shared_ptr<const Groom> groom, const ColliderSet& colliders, const StepForces& calm,
+                  const Neck& neck = {});
     /// Every strand to its rest shape, without speed.
     void reset();
     /// Every strand hanging still, as one that is new. `calm`: the forces where nothing moves.
@@ -56,6 +58,8 @@ private:
     void hang(const StrandState& state, std::size_t strand, std::span<const glm::vec3> restHd, glm::vec3 downHd,
               std::span<glm::vec3> nodesHd) const;
     void settle(std::span<const std::size_t> strands, const StepForces& calm);
+    /// Sets its lean, by how it would hang from an upright head.
+    void setLean(StrandState& state, std::size_t strand, std::span<const glm::vec3> restHd) const;
     /// Something else than gravity moves the hair, or did until now.
     void rouse();
     /// Sets m_gains.stillM and m_gains.drag; returns for how many of the steps, from the first on, it is right.
@@ -70,6 +74,8 @@ private:
     std::unique_ptr<BraidContact> m_braids;
     mutable Dependents m_dependents; ///< Its buffers are reused from frame to frame.
     GatheredHair m_gathered;
+    Neck m_neck;
+    FirstFall m_fall;
     std::size_t m_calmSteps = 0; ///< Since something else than gravity moved the hair.
     bool m_awake = false;
     bool m_isNew = true;

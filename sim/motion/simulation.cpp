@@ -113,7 +113,7 @@ void Simulation::setInput(const GroomInput& input)
             return group && group->groom()->groupId == groom->groupId;
         });
         groups.push_back(known != s.groups.end() ? std::move(*known) : std::make_unique<GroupDynamics>());
-        groups.back()->setGroom(groom, s.colliders, calm);
+        groups.back()->setGroom(groom, s.colliders, calm, input.neck);
     }
     s.groups = std::move(groups);
 }

@@ -36,6 +36,7 @@ enum LaneField : std::uint8_t
     kGive,         ///< Fraction of its length by which the strand stretches and shortens; 0: not at all.
     kStretch,      ///< Fraction by which it is longer now, -kGive..kGive,
     kStretchSpeed, ///< and by how much more a second.
+    kLean,         ///< -1..1: how far it is put forward (else back) while it first falls.
     kLoad,         ///< Recent load in units of its own weight; kUnwanted where the strand is new.
     kStill,        ///< Steps without motion; kUnwanted where no hair is solved.
     kMiddleX,      ///< Where the middle node was when the hair last moved, Hd, m;
@@ -110,11 +111,13 @@ struct GroupGains
     int nodes = 0;
     float drag = 1.0F; ///< Factor of the velocity.
     float gravityScale = 1.0F;
-    float windGain = 0.0F;     ///< Fraction of the relative velocity of the air taken over in a step.
-    float frictionKeep = 1.0F; ///< Fraction of the tangential motion kept in contact.
-    float stillM = kStillM;    ///< What counts as lying still, see kStillM.
-    bool beginsInAir = false;  ///< Strands do not stand on skin: their first segments are kept out of it, too.
-    float stickSlope2 = 0.0F;  ///< Contact sticks while (tangential/normal motion)^2 is below.
+    float windGain = 0.0F;       ///< Fraction of the relative velocity of the air taken over in a step.
+    float frictionKeep = 1.0F;   ///< Fraction of the tangential motion kept in contact.
+    float stillM = kStillM;      ///< What counts as lying still, see kStillM.
+    bool beginsInAir = false;    ///< Strands do not stand on skin: their first segments are kept out of it, too.
+    bool leans = false;          ///< If false `lean` is not read.
+    std::array<float, 3> lean{}; ///< What a kLean of 1 adds to gravity, Hd, m a step.
+    float stickSlope2 = 0.0F;    ///< Contact sticks while (tangential/normal motion)^2 is below.
     std::array<float, kMostNodes> rootKeep{}; ///< Fraction of the motion against the head that hair around leaves.
     std::array<float, kMostNodes> waveACos{}, waveASin{}, waveBCos{}, waveBSin{}; ///< Turbulence along the strand.
 };

@@ -15,6 +15,7 @@
 #include "sim/solver/constraints/friction_inl.h"
 #include "sim/solver/constraints/head_following_inl.h"
 #include "sim/solver/constraints/inertia_inl.h"
+#include "sim/solver/constraints/lean_inl.h"
 #include "sim/solver/constraints/length_inl.h"
 #include "sim/solver/constraints/obstacles_inl.h"
 #include "sim/solver/constraints/recoil_inl.h"
@@ -53,7 +54,7 @@ struct StrandRows
 HWY_INLINE void predict(const GroupGains& gains, const StepForces& step, const StrandRows& rows)
 {
     const Lanes inverseSquare = loaded(rows.lanes + kInverseSquare * kLanes);
-    const Lanes3 gravity = everyLane(step.gravity) * gains.gravityScale;
+    const Lanes3 weight = everyLane(step.gravity) * gains.gravityScale;
     StrandAir air{};
     if (step.windy)
         air = airAround(step, rows.lanes);
@@ -79,6 +80,7 @@ HWY_INLINE void predict(const GroupGains& gains, const StepForces& step, const S
         if (step.windy)
             v = blown(gains, airAt(air, gains, step, node, x), x - before, inverseSquare, v);
         const Lanes3 styled = loaded3(rows.rest + node * StrandBlocks::kNodeStride);
+        const Lanes3 gravity = gains.leans ? weight + leaning(gains, rows.lanes, i) : weight;
         Lanes3 headed = x + v + gravity;
         if (rows.hair != nullptr)
             headed = x + amongHair(rows.hair + node * StrandBlocks::kNodeStride, v + gravity);
