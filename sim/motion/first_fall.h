@@ -11,8 +11,9 @@
 namespace hairpaint::sim {
 
 /// Where hair meets a shoulder, a few millimetres decide whether it slides off before it or behind, and so do the
-/// shoulders of the head it is on. While it first falls each strand therefore leans to its own side: forward where it
-/// hangs before the neck's middle, back where it hangs behind it. Thereafter physics alone rules. A value; any thread.
+/// shoulders of the head it is on. At first each strand therefore leans to its own side: forward where it hangs before
+/// the neck's middle, back where it hangs behind it. Strands that start hanging do so before they are seen, all hair
+/// that starts from its rest shape does for a second. Thereafter physics alone rules. A value; any thread.
 class FirstFall
 {
 public:

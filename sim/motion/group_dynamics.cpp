@@ -16,7 +16,8 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr std::size_t kBlocksAtOnce = 16;
-constexpr int kSettleSteps = 84; ///< 0.7 s
+constexpr int kSettleSteps = 84; ///< 0.7 s,
+constexpr int kLeaningSteps = 30; ///< in which hair leans so long.
 constexpr float kSettleDamping = 5.0F;
 
 /// By how much the edges of one shape point elsewhere than those of the other: 0 within 30 degrees, 1 from 70.
@@ -130,8 +131,6 @@ void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderS
     }
     m_isNew = arrived.size() == m_groom->basisCount;
     settle(arrived, calm);
-    if (m_isNew)
-        m_fall.begin();
     if (!(m_groom->settings.physics.body > 0.0F))
         m_body.reset();
     else if (!m_body)
@@ -238,16 +237,18 @@ void GroupDynamics::hang(const StrandState& state, std::size_t strand, std::span
     hangStrand(nodesHd, restHd, wanted, m_colliders, scales);
 }
 
-void GroupDynamics::setLean(StrandState& state, std::size_t strand, std::span<const glm::vec3> restHd) const
+void GroupDynamics::setLean(StrandState& state, std::size_t at, std::size_t strand,
+                            std::span<const glm::vec3> restHd) const
 {
-    const float segmentM = state.field(strand, kSegmentLength);
-    float& lean = state.field(strand, kLean);
+    const float segmentM = state.field(at, kSegmentLength);
+    float& lean = state.field(at, kLean);
     lean = 0.0F;
-    if (!reachesShoulders(restHd, segmentM, m_neck))
+    // A braid lies where its weight takes it: it is too stiff and too thick to be laid.
+    if ((*m_groom->basis)[BasisQuantity::Girth][strand] > 0.0F || !reachesShoulders(restHd, segmentM, m_neck))
         return;
     std::array<glm::vec3, kMostNodes> hanging;
     const std::span<glm::vec3> nodesHd = std::span(hanging).first(restHd.size());
-    hang(state, strand, restHd, glm::vec3(0.0F, -1.0F, 0.0F), nodesHd);
+    hang(state, at, restHd, glm::vec3(0.0F, -1.0F, 0.0F), nodesHd);
     lean = leanOf(nodesHd, segmentM, m_neck);
 }
 
@@ -261,14 +262,15 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
     alone.present = 0;
     alone.resize(m_groom->nodes, blocksFor(strands.size()), m_colliders.count);
     std::vector<float> rest(alone.positions[0].size(), 0.0F);
-    const GroupGains gains = [this] {
+    const GroupGains upright = [this] {
         PhysicsSettings physics = m_groom->settings.physics;
         physics.damping = std::max(physics.damping, kSettleDamping);
         GroupGains damped = gainsOf(physics, m_groom->nodes);
         damped.beginsInAir = m_groom->isOfTails;
-        FirstFall::begun().apply(m_neck, damped);
         return damped;
     }();
+    GroupGains leaning = upright;
+    FirstFall::begun().apply(m_neck, leaning);
     const std::vector<StepForces> steps(kSettleSteps, calm);
     parallelFor(alone.blocks, 4, [&](std::size_t begin, std::size_t end) {
         std::array<glm::vec3, kMostNodes> shape;
@@ -279,12 +281,15 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
             alone.shape().write(rest, i, std::span(shape).first(nodes));
             for (int row = 0; row < m_state.laneRows; ++row)
                 alone.field(i, row) = m_state.field(strand, row);
-            setLean(alone, i, std::span(shape).first(nodes));
-            hang(alone, i, std::span(shape).first(nodes), leaningDown(calm, gains, alone.field(i, kLean)),
+            setLean(alone, i, strand, std::span(shape).first(nodes));
+            hang(alone, i, std::span(shape).first(nodes), leaningDown(calm, leaning, alone.field(i, kLean)),
                  std::span(hanging).first(nodes));
             alone.setStrand(i, std::span(hanging).first(nodes));
         }
-        stepBlocks(alone.view(rest.data()), gains, m_colliders, steps, 0, begin, end);
+        const std::span<const StepForces> all(steps);
+        const SolverBlocks view = alone.view(rest.data());
+        stepBlocks(view, leaning, m_colliders, all.first(kLeaningSteps), 0, begin, end);
+        stepBlocks(view, upright, m_colliders, all.subspan(kLeaningSteps), kLeaningSteps % 2, begin, end);
     });
     alone.present = kSettleSteps % 2;
     for (std::size_t i = 0; i < strands.size(); ++i) {
@@ -306,7 +311,7 @@ void GroupDynamics::reset()
                 continue;
             m_groom->blocks().read(m_groom->basis->restPositions, strand, std::span(rest).first(nodes));
             m_state.setStrand(strand, std::span(rest).first(nodes));
-            setLean(m_state, strand, std::span(rest).first(nodes));
+            setLean(m_state, strand, strand, std::span(rest).first(nodes));
         }
     });
     m_fall.begin();
@@ -329,7 +334,6 @@ void GroupDynamics::hangAnew(const StepForces& calm)
         if (m_state.field(strand, kStill) < kUnwanted)
             wanted.push_back(strand);
     settle(wanted, calm);
-    m_fall.begin();
     if (m_body)
         m_body->forget();
     if (m_braids)

@@ -58,8 +58,8 @@ private:
     void hang(const StrandState& state, std::size_t strand, std::span<const glm::vec3> restHd, glm::vec3 downHd,
               std::span<glm::vec3> nodesHd) const;
     void settle(std::span<const std::size_t> strands, const StepForces& calm);
-    /// Sets its lean, by how it would hang from an upright head.
-    void setLean(StrandState& state, std::size_t strand, std::span<const glm::vec3> restHd) const;
+    /// Sets the lean of the strand at a place of a state, by how it would hang from an upright head; a braid has none.
+    void setLean(StrandState& state, std::size_t at, std::size_t strand, std::span<const glm::vec3> restHd) const;
     /// Something else than gravity moves the hair, or did until now.
     void rouse();
     /// Sets m_gains.stillM and m_gains.drag; returns for how many of the steps, from the first on, it is right.

@@ -33,7 +33,7 @@ float densityAround(const sim::MapSampler& density, glm::vec2 uv)
     // Dense on both sides of it: beyond an edge there is nothing.
     const float across = std::max(std::min(at[1], at[4]), std::min(at[2], at[3]));
     const float mean = std::accumulate(at.begin(), at.end(), 0.0F) / static_cast<float>(at.size());
-    return std::max(mean, across);
+    return std::max(std::min(at[0], mean), across);
 }
 
 /// All points that vertices read, kReads.size() a vertex.
