@@ -16,8 +16,7 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr std::size_t kBlocksAtOnce = 16;
-constexpr int kSettleSteps = 84; ///< 0.7 s,
-constexpr int kLeaningSteps = 30; ///< in which hair leans so long.
+constexpr int kSettleSteps = 84; ///< 0.7 s
 constexpr float kSettleDamping = 5.0F;
 
 /// By how much the edges of one shape point elsewhere than those of the other: 0 within 30 degrees, 1 from 70.
@@ -262,14 +261,14 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
     alone.present = 0;
     alone.resize(m_groom->nodes, blocksFor(strands.size()), m_colliders.count);
     std::vector<float> rest(alone.positions[0].size(), 0.0F);
-    const GroupGains upright = [this] {
+    const GroupGains gains = [this] {
         PhysicsSettings physics = m_groom->settings.physics;
         physics.damping = std::max(physics.damping, kSettleDamping);
         GroupGains damped = gainsOf(physics, m_groom->nodes);
         damped.beginsInAir = m_groom->isOfTails;
         return damped;
     }();
-    GroupGains leaning = upright;
+    GroupGains leaning = gains; // As they would be were the hair in its first fall.
     FirstFall::begun().apply(m_neck, leaning);
     const std::vector<StepForces> steps(kSettleSteps, calm);
     parallelFor(alone.blocks, 4, [&](std::size_t begin, std::size_t end) {
@@ -286,10 +285,7 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
                  std::span(hanging).first(nodes));
             alone.setStrand(i, std::span(hanging).first(nodes));
         }
-        const std::span<const StepForces> all(steps);
-        const SolverBlocks view = alone.view(rest.data());
-        stepBlocks(view, leaning, m_colliders, all.first(kLeaningSteps), 0, begin, end);
-        stepBlocks(view, upright, m_colliders, all.subspan(kLeaningSteps), kLeaningSteps % 2, begin, end);
+        stepBlocks(alone.view(rest.data()), gains, m_colliders, steps, 0, begin, end);
     });
     alone.present = kSettleSteps % 2;
     for (std::size_t i = 0; i < strands.size(); ++i) {
