@@ -32,7 +32,7 @@ void toWorld(const RigidMotion& world, const float* from, LanesOfNode& to)
 void writeBlock(const StrandChunk& chunk, std::size_t block, const StrandBlocks& blocks, int nodes,
                 const RigidMotion& world, const float* tails, float* out)
 {
-    const std::size_t ring = static_cast<std::size_t>(ringNode(nodes));
+    const auto ring = static_cast<std::size_t>(ringNode(nodes));
     std::array<bool, kLanes> isGathered{};
     std::array<bool, kLanes> isTailed{};
     for (std::size_t lane = 0; lane < kLanes; ++lane) {

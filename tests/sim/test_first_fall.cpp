@@ -27,6 +27,7 @@ Neck neckAtOrigin()
 std::vector<glm::vec3> hangingAt(float z, float lengthM)
 {
     std::vector<glm::vec3> nodes;
+    nodes.reserve(kNodes);
     for (int i = 0; i < kNodes; ++i)
         nodes.emplace_back(0.1F, 0.1F - lengthM * static_cast<float>(i) / (kNodes - 1), z);
     return nodes;
