@@ -18,8 +18,8 @@ namespace hairpaint::sim {
 
 /// The roots of the first ranks, which cover the skin evenly, are its probes: where a probe's density is next to 0 the
 /// skin is bare, and where enough of the probes around it are bare too it is open. A root's depth follows from its
-/// distance to the nearest open probe. So it needs no neighbourhoods
-/// of the layout or the mesh, and a dab changes only the roots around it. One thread writes; any number read between.
+/// distance to the nearest open probe. So it needs no neighbourhoods of the layout or the mesh, and a dab changes only
+/// the roots around it. One thread writes; any number read between.
 class Hairline
 {
 public:

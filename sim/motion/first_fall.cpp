@@ -12,7 +12,7 @@ namespace {
 constexpr float kLeanMs2 = 8.0F; ///< Acceleration of a whole lean, m/s2: of gravity's order, so hair clears a shoulder.
 constexpr std::size_t kWholeSteps = 60; ///< The lean is whole for so long,
 constexpr std::size_t kLevels = 8;      ///< then falls off by as many levels,
-constexpr std::size_t kLevelSteps = 10; ///< each so long: 1.3 s in all, less than pictures let hair settle for.
+constexpr std::size_t kLevelSteps = 10; ///< each so long: 1.2 s in all, less than pictures let hair settle for.
 constexpr float kDivideM = 0.003F;      ///< Half the width of the step between back and forward.
 constexpr float kReachM = 0.02F;        ///< Length beyond the shoulders' height over which the lean comes in.
 /// How far before the neck's pivot hair divides: fraction of the neck's height. On people some 1 cm.
