@@ -11,12 +11,20 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
 
-/// How far two hairs have the same direction, 0..1.
-HWY_INLINE Lanes alignment(const Lanes3& a, const Lanes3& b)
+HWY_INLINE Lanes cosineBetween(const Lanes3& a, const Lanes3& b)
 {
     const Lanes product = root(dot(a, a) * dot(b, b));
-    const Lanes cosine = dot(a, b) / most(product, 1e-20F);
-    return clamped(cosine + cosine, 0.0F, 1.0F);
+    return dot(a, b) / most(product, 1e-20F);
+}
+
+/// How far hairs of these steps from their roots and of these reaches to their tips belong to one lock, 0..1. Tips of
+/// hair that hangs are alike on both sides of a parting, but roots leave it to their own: drawn over to the other they
+/// would stand over the parting and fall over the face.
+HWY_INLINE Lanes alignment(const Lanes3& step, const Lanes3& basisStep, const Lanes3& reach, const Lanes3& basisReach)
+{
+    const Lanes atRoot = cosineBetween(step, basisStep);
+    const Lanes atTip = cosineBetween(reach, basisReach);
+    return clamped(atRoot + atRoot + 0.5F, 0.0F, 1.0F) * clamped(atTip + atTip, 0.0F, 1.0F);
 }
 
 HWY_INLINE Lanes3 between(const Lanes3& a, const Lanes3& b, Lanes t)
@@ -73,9 +81,12 @@ HWY_INLINE void clumpFrom(ClumpTask& task, std::size_t lane)
     const Lanes lastSegment(static_cast<float>(last - 1));
     const Lanes3 rootHd = loaded3(nodes);
     const Lanes3 basisTip = loaded3(basis + last * StrandBlocks::kNodeStride);
+    const Lanes3 basisRoot = loaded3(basis);
     const Lanes clump =
-        onlyWhere(clumps, row(task.clump) * alignment(loaded3(nodes + last * StrandBlocks::kNodeStride) - rootHd,
-                                                      basisTip - loaded3(basis)));
+        onlyWhere(clumps, row(task.clump) * alignment(loaded3(nodes + StrandBlocks::kNodeStride) - rootHd,
+                                                      loaded3(basis + StrandBlocks::kNodeStride) - basisRoot,
+                                                      loaded3(nodes + last * StrandBlocks::kNodeStride) - rootHd,
+                                                      basisTip - basisRoot));
     stored(clump, task.clump.data() + lane);
     const Ints laneNumbers = hn::Iota(di, 0);
 
@@ -84,7 +95,7 @@ HWY_INLINE void clumpFrom(ClumpTask& task, std::size_t lane)
                     .parting = task.locks.parting};
     shape.isPlain = shape.flatness == 0.0F && shape.twistRadPerM == 0.0F && shape.parting == 0.0F;
     if (!shape.isPlain) {
-        const Lanes3 reach = basisTip - loaded3(basis);
+        const Lanes3 reach = basisTip - basisRoot;
         shape.axis = reach * (1.0F / root(most(dot(reach, reach), 1e-12F)));
         shape.normal = Lanes3{row(task.leaderNormal[0]), row(task.leaderNormal[1]), row(task.leaderNormal[2])};
     }

@@ -40,7 +40,7 @@ constexpr std::array<std::size_t, 3> kNearFirst{1, 0, 2};
 
 /// A bare probe is open where more than this share of the probes so many of their spacings around it is bare: half of
 /// them are along an edge, a sixth in the gap of a part.
-constexpr float kOpenShare = 0.36F;
+constexpr float kOpenShare = 0.42F;
 constexpr float kOpenReach = 2.5F;
 constexpr std::size_t kCellsAtOnce = 16;
 

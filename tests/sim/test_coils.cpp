@@ -344,6 +344,41 @@ private Q_SLOTS:
         QCOMPARE(hairsOf.size(), std::size_t{64}); // 0.04 m2
     }
 
+    /// Hair that hangs alike on both sides of a parting leaves it to its own.
+    void noLockReachesOverAParting()
+    {
+        GroomInput::Group group = smallGroup();
+        group.settings.greatestDensityPerM2 = 5e4F;
+        group.settings.greatestLengthM = 0.4F;
+        group.settings.locks.sizeM = 0.04F;
+        group.maps[MapSlot::Length] = uniformMap(1.0F);
+        auto direction = std::make_shared<TiledRaster>(512, 2, texelOfDirection({-0.95F, 0.0F}));
+        for (int tile = 0; tile < direction->tileCount(); ++tile)
+            if (direction->tileRect(tile).x0 >= 256)
+                direction->setUniform(tile, texelOfDirection({0.95F, 0.0F}));
+        group.maps[MapSlot::Direction] = direction;
+        const auto skin = std::make_shared<const Skin>(makeBallHead());
+        const auto loose = groomOf(inputOf(skin, group));
+        group.maps[MapSlot::Clump] = uniformMap(1.0F);
+        const auto gathered = groomOf(inputOf(skin, group));
+        int moved = 0;
+        int across = 0;
+        forEachHair(*loose, [&](std::uint32_t slot, const StrandStyle&) {
+            const glm::vec3 before = nodesOf(*loose, slot).back();
+            const glm::vec3 after = nodesOf(*gathered, slot).back();
+            constexpr float kBesideM = 0.055F; // Not merely drawn to where hair meets behind.
+            const float rootM = gathered->roots->positionHd[slot].x;
+            const bool isAtPole = std::abs(gathered->roots->positionHd[slot].y) > 0.05F;
+            const bool isWhereSidesMeet = std::abs(gathered->roots->uv[slot].x - 0.5F) > 0.3F;
+            if (!isAtPole && !isWhereSidesMeet &&
+                std::min(std::abs(before.x - rootM), std::abs(after.x - rootM)) > kBesideM)
+                across += (before.x < rootM) != (after.x < rootM) ? 1 : 0;
+            moved += glm::distance(before, after) > 0.002F ? 1 : 0;
+        });
+        QVERIFY(moved > 1000);
+        QCOMPARE(across, 0);
+    }
+
     void locksAreShaped_data()
     {
         QTest::addColumn<int>("which");

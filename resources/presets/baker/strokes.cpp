@@ -25,12 +25,14 @@ constexpr std::array<Recording::Seen, 13> kRidge{{{0.0F, 0.058F},
                                                   {180.0F, 0.045F}}};
 
 /// The left half of the hairline, a few mm out, from the forehead's middle to the nape's and up the back.
-constexpr std::array<Recording::Seen, 28> kAroundHairline{
-    {{4.0F, 0.067F},    {12.0F, 0.067F},   {24.0F, 0.069F},   {34.0F, 0.068F},   {41.0F, 0.060F},   {45.0F, 0.048F},
-     {47.0F, 0.036F},   {52.0F, 0.024F},   {59.0F, 0.012F},   {64.0F, 0.000F},   {65.0F, -0.014F},  {70.0F, -0.022F},
-     {76.0F, -0.015F},  {77.0F, 0.000F},   {80.0F, 0.012F},   {88.0F, 0.019F},   {97.0F, 0.016F},   {103.0F, 0.003F},
-     {106.0F, -0.018F}, {114.0F, -0.043F}, {136.0F, -0.070F}, {160.0F, -0.080F}, {178.4F, -0.080F}, {178.4F, -0.045F},
-     {178.5F, -0.02F},  {178.5F, 0.01F},   {178.5F, 0.04F},   {178.5F, 0.06F}}};
+constexpr std::array<Recording::Seen, 29> kAroundHairline{
+    {{0.4F, 0.067F},    {4.0F, 0.067F},    {12.0F, 0.067F},   {24.0F, 0.069F},   {34.0F, 0.068F},   {41.0F, 0.060F},
+     {45.0F, 0.048F},   {47.0F, 0.036F},   {52.0F, 0.024F},   {59.0F, 0.012F},   {64.0F, 0.000F},   {65.0F, -0.014F},
+     {70.0F, -0.022F},  {76.0F, -0.015F},  {77.0F, 0.000F},   {80.0F, 0.012F},   {88.0F, 0.019F},   {97.0F, 0.016F},
+     {103.0F, 0.003F},  {106.0F, -0.018F}, {114.0F, -0.043F}, {136.0F, -0.070F}, {160.0F, -0.080F}, {179.4F, -0.080F},
+     {179.4F, -0.045F}, {179.4F, -0.02F},  {179.4F, 0.01F},   {179.4F, 0.04F},   {179.4F, 0.06F}}};
+
+constexpr std::size_t kToNape = 23; ///< Points of it up to beside the nape.
 
 constexpr std::array<Recording::Seen, 8> kDownTheBack{{{180.0F, 0.05F},
                                                        {180.0F, 0.03F},
@@ -141,7 +143,12 @@ void shaveMiddle(Recording& user, float widthM)
 
 void shaveDownTheBack(Recording& user)
 {
-    user.erase(MapKind::Density, {.sizeM = 0.0064F, .hardness = 1.0F}, user.along(kDownTheBack));
+    user.erase(MapKind::Density, {.sizeM = 0.0040F, .hardness = 1.0F}, user.along(kDownTheBack));
+}
+
+void outToHairline(Recording& user, MapKind map, const PaintValue& value)
+{
+    user.brush(map, value, {.sizeM = 0.012F, .hardness = 1.0F}, user.along(std::span(kAroundHairline).first(kToNape)));
 }
 
 void cutToLine(Recording& user, float lineHeightM, float shortestM)

@@ -23,6 +23,8 @@ inline constexpr int kBun = 2;
 [[nodiscard]] Recording::Points aroundTop(const Recording& user);
 /// Around the hair of the head's left, a few mm out, but for a parting of that half width.
 [[nodiscard]] Recording::Points aroundLeft(const Recording& user, float fromMiddleM);
+/// Regions reach out over both sides' hairlines, so that no hair there hangs loose.
+void outToHairline(Recording& user, MapKind map, const PaintValue& value);
 /// From the forehead over the head and down its back.
 [[nodiscard]] Recording::Points overMiddle(const Recording& user);
 /// No hair along it, of that width: hair between two regions would hang loose. Down the back is its lower half, where

@@ -97,11 +97,11 @@ Style cornrows()
                     user.fill(MapKind::Density, scalar(0.0F));
                     for (const Recording::Points& row : cornrowLines(user)) {
                         // No root beside the row: a hair of its own would hang over the face.
-                        user.brush(MapKind::Braid, entry(kCornrow), {.sizeM = 0.0095F, .hardness = 1.0F}, row);
-                        user.erase(MapKind::Density, {.sizeM = 0.008F, .hardness = 0.9F}, row);
+                        user.brush(MapKind::Braid, entry(kCornrow), {.sizeM = 0.0125F, .hardness = 1.0F}, row);
+                        user.erase(MapKind::Density, {.sizeM = 0.0098F, .hardness = 0.95F}, row);
                     }
                 }};
-    style.settings.braidRadiusM = 0.0034F;
+    style.settings.braidRadiusM = 0.0046F;
     style.settings.nodesPerHair = 16;
     return style;
 }

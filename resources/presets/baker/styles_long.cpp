@@ -97,8 +97,10 @@ Style twoPlaits()
                     user.fill(MapKind::Colour, colour(0xFF6A4C2E));
                     user.fill(MapKind::Length, user.length(0.28F));
                     // A side is a region; the parting between them stays free.
-                    user.polygon(MapKind::Braid, entry(kPlait), aroundLeft(user, 0.0012F));
-                    shaveMiddle(user, 0.0050F);
+                    user.polygon(MapKind::Braid, entry(kPlait), aroundLeft(user, 0.0F));
+                    outToHairline(user, MapKind::Braid, entry(kPlait));
+                    user.erase(MapKind::Braid, {.sizeM = 0.0014F, .hardness = 1.0F}, overMiddle(user));
+                    shaveMiddle(user, 0.0040F);
                 }};
     style.settings.braidSpacingM = 0.6F;
     style.settings.braidRadiusM = 0.0105F;

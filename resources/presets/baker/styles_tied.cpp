@@ -166,10 +166,11 @@ Style twinTails()
                     user.fill(MapKind::Colour, colour(0xFF8A6038));
                     user.fill(MapKind::Length, user.length(0.38F));
                     user.fill(MapKind::Clump, scalar(0.35F));
-                    user.polygon(MapKind::Accessory, entry(kPonytail), aroundLeft(user, 0.0015F));
+                    user.polygon(MapKind::Accessory, entry(kPonytail), aroundLeft(user, 0.0F));
+                    outToHairline(user, MapKind::Accessory, entry(kPonytail));
                     // Skin between the two, or they would be one.
-                    user.erase(MapKind::Accessory, {.sizeM = 0.003F, .hardness = 1.0F}, overMiddle(user));
-                    shaveMiddle(user, 0.0054F);
+                    user.erase(MapKind::Accessory, {.sizeM = 0.002F, .hardness = 1.0F}, overMiddle(user));
+                    shaveMiddle(user, 0.0044F);
                     // So far back that tails fall behind the shoulders: on top of one they would bend and spread.
                     for (const float degrees : {130.0F, -130.0F})
                         user.gather(WornKind::Ponytail, user.around(degrees, 0.056F));
