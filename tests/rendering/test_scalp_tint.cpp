@@ -130,6 +130,30 @@ private Q_SLOTS:
         QCOMPARE(tint.texels()[3].w, std::uint16_t{0});
     }
 
+    /// Skin tinted before the last hairs of a soft hairline looked like dirt.
+    void skinIsCleanWhereAHairlineThinsOut()
+    {
+        const auto mesh = std::make_shared<const sim::HeadMesh>(test::makePatchHead(100)); // Vertices 2 mm apart.
+        const auto tintAt = [&](float softenM, float insideM) {
+            rendering::ScalpTintSources sources = rendering::scalpTintSources(rootsAlone(0.8F).get());
+            sources[0].softenM = softenM;
+            ScalpTint tint;
+            tint.update(mesh, sources);
+            const glm::vec2 uv(0.5F - insideM / 0.2F, 0.5F); // The edge is in the middle.
+            const auto nearest =
+                std::ranges::min_element(mesh->uvs, {}, [&](glm::vec2 at) { return glm::distance(at, uv); });
+            return tint.texels()[static_cast<std::size_t>(nearest - mesh->uvs.begin())].w;
+        };
+        constexpr float kSoftM = 0.008F;
+        const std::uint16_t whole = tintAt(0.0F, 0.04F);
+        QCOMPARE(tintAt(0.0F, 0.004F), whole);
+        QCOMPARE(tintAt(kSoftM, 0.04F), whole);
+        QCOMPARE(tintAt(kSoftM, 0.01F), whole);
+        QVERIFY(tintAt(kSoftM, 0.002F) < whole / 2);
+        QVERIFY(tintAt(kSoftM, 0.002F) < tintAt(kSoftM, 0.006F));
+        QVERIFY(tintAt(kSoftM, 0.006F) < whole);
+    }
+
     void paintShowsInTheNextPicture()
     {
         rendering::Scene scene = tintedBall(0.6F);
@@ -162,8 +186,8 @@ private Q_SLOTS:
                 colour = test::withDab(colour, centre, 0.03F, {channel, 0, 9000});
             else
                 density = test::withDab(density, centre, 0.03F, {channel});
-            const rendering::ScalpTintSources sources =
-                rendering::scalpTintSources(rootsAlone(0.5F, density, colour).get());
+            rendering::ScalpTintSources sources = rendering::scalpTintSources(rootsAlone(0.5F, density, colour).get());
+            sources[0].softenM = 0.01F;
             QVERIFY(following.update(mesh, sources));
             QVERIFY(!following.update(mesh, sources));
             ScalpTint fresh;

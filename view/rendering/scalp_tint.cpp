@@ -21,30 +21,87 @@ constexpr float kRoots = 0.63e6F; ///< Roots per m2 that leave 1/e of the skin a
 /// A vertex reads density around itself too: the edge of hair is sharper than vertices are close and would show their
 /// triangles; where a parting is a line without roots, the skin beside it counts.
 constexpr float kBesideUv = 0.003F;
-constexpr std::array<glm::vec2, 5> kReads{glm::vec2(0.0F, 0.0F), glm::vec2(kBesideUv, kBesideUv),
-                                          glm::vec2(-kBesideUv, kBesideUv), glm::vec2(kBesideUv, -kBesideUv),
-                                          glm::vec2(-kBesideUv, -kBesideUv)};
+/// So does a ring as far off as a hairline is soft: beyond an edge it is bare.
+constexpr std::size_t kAround = 8;
+constexpr float kDiagonal = 0.70710678F;
+constexpr std::array<glm::vec2, 5> kBeside{glm::vec2(0.0F, 0.0F), glm::vec2(1.0F, 1.0F), glm::vec2(-1.0F, 1.0F),
+                                           glm::vec2(1.0F, -1.0F), glm::vec2(-1.0F, -1.0F)};
+constexpr std::array<glm::vec2, kAround> kRing{glm::vec2(1.0F, 0.0F),  glm::vec2(kDiagonal, kDiagonal),
+                                               glm::vec2(0.0F, 1.0F),  glm::vec2(-kDiagonal, kDiagonal),
+                                               glm::vec2(-1.0F, 0.0F), glm::vec2(-kDiagonal, -kDiagonal),
+                                               glm::vec2(0.0F, -1.0F), glm::vec2(kDiagonal, -kDiagonal)};
 
-float densityAround(const sim::MapSampler& density, glm::vec2 uv)
+/// Where a vertex reads.
+struct Reads
 {
-    std::array<float, kReads.size()> at{};
-    for (std::size_t i = 0; i < at.size(); ++i)
-        at[i] = density.scalar(uv + kReads[i]);
-    // Dense on both sides of it: beyond an edge there is nothing.
-    const float across = std::max(std::min(at[1], at[4]), std::min(at[2], at[3]));
-    const float mean = std::accumulate(at.begin(), at.end(), 0.0F) / static_cast<float>(at.size());
-    return std::max(std::min(at[0], mean), across);
+    std::array<glm::vec2, kBeside.size() + kAround> offsets{};
+    std::size_t count = kBeside.size(); ///< Without the ring where no hairline is soft.
+
+    explicit Reads(float ringUv)
+    {
+        for (std::size_t i = 0; i < kBeside.size(); ++i)
+            offsets.at(i) = kBeside.at(i) * kBesideUv;
+        if (ringUv <= 0.0F)
+            return;
+        for (std::size_t i = 0; i < kAround; ++i)
+            offsets.at(kBeside.size() + i) = kRing.at(i) * ringUv;
+        count = offsets.size();
+    }
+};
+
+/// How far the skin is from where hair ends, 0 at its edge, 1 beyond the softened width.
+float insideEdge(const std::array<float, kBeside.size() + kAround>& at)
+{
+    const float own = std::max(at[0], 1e-6F);
+    float around = 0.0F;
+    for (std::size_t i = kBeside.size(); i < at.size(); ++i)
+        around += std::min(at.at(i) / own, 1.0F);
+    // Half of a circle about a point of a straight edge is bare.
+    return std::clamp(2.0F * around / static_cast<float>(kAround) - 1.0F, 0.0F, 1.0F);
 }
 
-/// All points that vertices read, kReads.size() a vertex.
-std::vector<glm::vec2> pointsRead(std::span<const glm::vec2> uvs)
+float densityAround(const sim::MapSampler& density, glm::vec2 uv, const Reads& reads)
+{
+    std::array<float, kBeside.size() + kAround> at{};
+    for (std::size_t i = 0; i < kBeside.size(); ++i)
+        at.at(i) = density.scalar(uv + reads.offsets.at(i));
+    // Dense on both sides of it: beyond an edge there is nothing.
+    const float across = std::max(std::min(at[1], at[4]), std::min(at[2], at[3]));
+    const float mean =
+        std::accumulate(at.begin(), at.begin() + kBeside.size(), 0.0F) / static_cast<float>(kBeside.size());
+    const float here = std::max(std::min(at[0], mean), across);
+    if (reads.count == kBeside.size() || !(here > 0.0F))
+        return here;
+    for (std::size_t i = kBeside.size(); i < reads.count; ++i)
+        at.at(i) = density.scalar(uv + reads.offsets.at(i));
+    at[0] = here;
+    return here * insideEdge(at);
+}
+
+/// All points that vertices read, `reads.count` a vertex.
+std::vector<glm::vec2> pointsRead(std::span<const glm::vec2> uvs, const Reads& reads)
 {
     std::vector<glm::vec2> points;
-    points.reserve(uvs.size() * kReads.size());
+    points.reserve(uvs.size() * reads.count);
     for (const glm::vec2 uv : uvs)
-        for (const glm::vec2 offset : kReads)
+        for (const glm::vec2 offset : std::span(reads.offsets).first(reads.count))
             points.push_back(uv + offset);
     return points;
+}
+
+/// The root of the layout's area over the skin's.
+float uvPerMetre(const sim::HeadMesh& mesh)
+{
+    double uvArea = 0.0;
+    double area = 0.0;
+    for (const glm::uvec3 corners : mesh.triangles) {
+        const glm::vec2 u = mesh.uvs[corners.y] - mesh.uvs[corners.x];
+        const glm::vec2 v = mesh.uvs[corners.z] - mesh.uvs[corners.x];
+        uvArea += std::abs(u.x * v.y - u.y * v.x);
+        area += glm::length(glm::cross(mesh.positionsHd[corners.y] - mesh.positionsHd[corners.x],
+                                       mesh.positionsHd[corners.z] - mesh.positionsHd[corners.x]));
+    }
+    return area > 0.0 ? static_cast<float>(std::sqrt(uvArea / area)) : 0.0F;
 }
 
 } // namespace
@@ -62,7 +119,8 @@ ScalpTintSources scalpTintSources(const sim::StrandFrame* hair)
             sources.push_back({.density = group.groom->density,
                                .colour = group.groom->colour,
                                .strength = settings.material.scalpTint,
-                               .densityPerM2 = settings.greatestDensityPerM2});
+                               .densityPerM2 = settings.greatestDensityPerM2,
+                               .softenM = settings.hairline.softenM});
     }
     return sources;
 }
@@ -74,21 +132,23 @@ bool ScalpTint::update(const std::shared_ptr<const sim::HeadMesh>& mesh, const S
         return false;
     const ScalpTintSources before = std::exchange(m_sources, sources);
     m_mesh = mesh;
-    if (otherMesh)
-        m_indices.clear();
     const bool had = !m_texels.empty();
     if (!mesh || m_sources.empty() || mesh->uvs.size() != mesh->positionsHd.size()) {
         m_texels.clear();
         return had;
     }
+    if (otherMesh) {
+        m_indices.clear();
+        m_uvPerM = uvPerMetre(*mesh);
+    }
     const auto alike = [](const ScalpTintSource& a, const ScalpTintSource& b) {
-        return a.strength == b.strength && a.densityPerM2 == b.densityPerM2;
+        return a.strength == b.strength && a.densityPerM2 == b.densityPerM2 && a.softenM == b.softenM;
     };
     std::vector<std::uint32_t> vertices;
     bool some = had && !otherMesh && std::ranges::equal(before, m_sources, alike);
     for (std::size_t i = 0; some && i < before.size(); ++i)
-        some = findChanged(before[i].density, m_sources[i].density, vertices) &&
-               findChanged(before[i].colour, m_sources[i].colour, vertices);
+        some = findChanged(before[i].density, m_sources[i].density, m_sources[i].softenM, vertices) &&
+               findChanged(before[i].colour, m_sources[i].colour, 0.0F, vertices);
     if (some) {
         std::ranges::sort(vertices);
         vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
@@ -101,7 +161,7 @@ bool ScalpTint::update(const std::shared_ptr<const sim::HeadMesh>& mesh, const S
     return true;
 }
 
-bool ScalpTint::findChanged(const sim::MapRaster& before, const sim::MapRaster& after,
+bool ScalpTint::findChanged(const sim::MapRaster& before, const sim::MapRaster& after, float softenM,
                             std::vector<std::uint32_t>& vertices)
 {
     if (before == after)
@@ -109,11 +169,15 @@ bool ScalpTint::findChanged(const sim::MapRaster& before, const sim::MapRaster& 
     const std::optional<std::vector<sim::TexelRect>> footprints = sim::footprintsThatDiffer(*before, *after);
     if (!footprints)
         return false;
-    auto index = m_indices.find(after->size());
+    const Reads reads(softenM * m_uvPerM);
+    auto index = m_indices.find({after->size(), softenM});
     if (index == m_indices.end())
-        index = m_indices.emplace(after->size(), sim::TileIndex(pointsRead(m_mesh->uvs), after->size())).first;
+        index = m_indices
+                    .emplace(std::pair(after->size(), softenM),
+                             sim::TileIndex(pointsRead(m_mesh->uvs, reads), after->size()))
+                    .first;
     for (const std::uint32_t point : index->second.slotsIn(*footprints))
-        vertices.push_back(point / static_cast<std::uint32_t>(kReads.size()));
+        vertices.push_back(point / static_cast<std::uint32_t>(reads.count));
     return true;
 }
 
@@ -122,16 +186,19 @@ void ScalpTint::evaluate(std::span<const std::uint32_t> vertices)
     struct Maps
     {
         sim::MapSampler density, colour;
+        Reads reads;
     };
     std::vector<Maps> maps;
     for (const ScalpTintSource& source : m_sources)
-        maps.push_back({sim::MapSampler(source.density), sim::MapSampler(source.colour)});
+        maps.push_back(
+            {sim::MapSampler(source.density), sim::MapSampler(source.colour), Reads(source.softenM * m_uvPerM)});
     sim::parallelFor(vertices.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const glm::vec2 uv = m_mesh->uvs[vertices[i]];
             glm::vec4 tint(0.0F);
             for (std::size_t group = 0; group < maps.size(); ++group) {
-                const float hairs = densityAround(maps[group].density, uv) * m_sources[group].densityPerM2;
+                const float hairs =
+                    densityAround(maps[group].density, uv, maps[group].reads) * m_sources[group].densityPerM2;
                 if (!(hairs > 0.0F))
                     continue;
                 const float cover = m_sources[group].strength * (1.0F - std::exp(-hairs / kRoots));

@@ -1,5 +1,5 @@
-// What the roots of hair make of the skin's colour: a shaved side is darker than the face, and a parting is no white
-// stripe.
+// What the roots of hair make of the skin's colour: a shaved side is darker than the face, a parting is no white
+// stripe, and skin is clean where a hairline thins out.
 #pragma once
 
 #include "sim/groom/tile_index.h"
@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace hairpaint::rendering {
@@ -23,6 +24,7 @@ struct ScalpTintSource
     sim::MapRaster colour;
     float strength = 0.0F;                                                            ///< StrandMaterial::scalpTint
     float densityPerM2 = 0.0F;                                                        ///< Where the density map is 1.
+    float softenM = 0.0F;                                                             ///< HairlineSettings::softenM
     friend bool operator==(const ScalpTintSource&, const ScalpTintSource&) = default; ///< Compares rasters by pointer.
 };
 using ScalpTintSources = std::vector<ScalpTintSource>;
@@ -45,13 +47,17 @@ public:
 
 private:
     void evaluate(std::span<const std::uint32_t> vertices);
-    /// Adds the vertices whose texels differ; false where all are to be evaluated.
-    bool findChanged(const sim::MapRaster& before, const sim::MapRaster& after, std::vector<std::uint32_t>& vertices);
+    /// Adds the vertices that read texels that differ, for a source that reads so far around; false where all are to be
+    /// evaluated.
+    bool findChanged(const sim::MapRaster& before, const sim::MapRaster& after, float softenM,
+                     std::vector<std::uint32_t>& vertices);
 
     std::shared_ptr<const sim::HeadMesh> m_mesh;
     ScalpTintSources m_sources;
     std::vector<Texel> m_texels;
-    std::map<int, sim::TileIndex> m_indices; ///< By the raster's size: which vertices read which tiles.
+    float m_uvPerM = 0.0F; ///< Of the layout, as a mean.
+    /// By the raster's size and how far around a vertex reads it: which vertices read which tiles.
+    std::map<std::pair<int, float>, sim::TileIndex> m_indices;
 };
 
 } // namespace hairpaint::rendering

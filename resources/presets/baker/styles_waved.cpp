@@ -54,7 +54,7 @@ Style wolfCut()
         .settings = settingsOf(0.35F, 0.05F, 0.014F),
         .record = [](Recording& user) {
             user.setLayerOpacity(MapKind::Density, 0.85F);
-            user.fill(MapKind::Colour, colour(0xFF5A4A42));
+            user.fill(MapKind::Colour, colour(0xFF4A3426));
             // Short on top and long in the nape.
             user.fill(MapKind::Length, user.length(0.12F));
             user.bands(MapKind::Length,
@@ -70,7 +70,11 @@ Style wolfCut()
             user.fill(MapKind::Curl, scalar(1.0F));
             user.fill(MapKind::Frizz, scalar(0.15F));
             partInTheMiddle(user, {.flatness = 0.6F});
-            cutFringe(user, {.lengthM = 0.062F, .depthM = 0.025F, .halfM = 0.030F, .longerM = 0.03F, .flatness = 0.7F});
+            cutFringe(user, {.lengthM = 0.066F, .depthM = 0.035F, .halfM = 0.046F, .longerM = 0.03F, .flatness = 0.75F});
+            // No skin shows between its locks.
+            const Ring ring{.sizeM = 0.07F, .hardness = 0.5F};
+            user.brush(MapKind::Curl, scalar(0.5F), ring, user.level(0.078F, 0.0F, 40.0F));
+            user.brush(MapKind::Clump, scalar(0.15F), ring, user.level(0.078F, 0.0F, 40.0F));
         }};
     model::setHairType(style.settings, model::hairType("2B"));
     style.settings.nodesPerHair = 12;
@@ -120,7 +124,7 @@ Style curlyBob()
                 .record = [](Recording& user) {
                     user.setLayerOpacity(MapKind::Density, 0.8F);
                     user.fill(MapKind::Colour, colour(0xFF2E1C16));
-                    cutToLine(user, -0.075F, 0.07F);
+                    cutToLine(user, -0.075F, 0.05F);
                     user.fill(MapKind::Curl, scalar(1.0F));
                     user.fill(MapKind::Frizz, scalar(0.08F));
                     user.setMirror(false);
