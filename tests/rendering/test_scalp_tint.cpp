@@ -149,7 +149,7 @@ private Q_SLOTS:
         QCOMPARE(tintAt(0.0F, 0.004F), whole);
         QCOMPARE(tintAt(kSoftM, 0.04F), whole);
         QCOMPARE(tintAt(kSoftM, 0.01F), whole);
-        QVERIFY(tintAt(kSoftM, 0.002F) < whole / 2);
+        QVERIFY(tintAt(kSoftM, 0.002F) < 0.75 * whole);
         QVERIFY(tintAt(kSoftM, 0.002F) < tintAt(kSoftM, 0.006F));
         QVERIFY(tintAt(kSoftM, 0.006F) < whole);
     }
