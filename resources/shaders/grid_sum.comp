@@ -9,7 +9,9 @@ uniform int gridSide;
 uniform int firstLayer; // First layer of this grid in the voxels; 0 in the light's grid.
 uniform float unit; // Opacity of a voxel's unit.
 
-const float kMostOfVoxel = 2.5; // As in view/rendering/eye_grid.h.
+// As in view/rendering/eye_grid.h.
+const float kMostOfVoxel = 2.5;
+const float kMostWithinVoxel = 12.0;
 
 void main()
 {
@@ -20,7 +22,8 @@ void main()
     float sum = 0.0;
     for (int z = 0; z < gridSide; ++z) {
         int at = ((firstLayer + z) * gridSide + xy.y) * gridSide + xy.x;
-        float here = float(voxels[at]) * unit;
+        float all = float(voxels[at]) * unit;
+        float here = firstLayer > 0 ? min(all, kMostWithinVoxel) : all;
         voxels[at] = 0u;
         imageStore(opacity, ivec3(xy, z), vec4(sum + 0.5 * here));
         sum += firstLayer > 0 ? min(here, kMostOfVoxel) : here;

@@ -19,6 +19,9 @@ struct EyeGrid
 /// A voxel hides no more than this, in coverings, of what lies behind: many hairs may lie in a small part of its
 /// section.
 inline constexpr float kMostOfVoxel = 2.5F;
+/// And within itself, from its near side to its far one, no more than this: all hairs of a braid are counted in its
+/// middle line, before which each of them passes.
+inline constexpr float kMostWithinVoxel = 12.0F;
 
 /// Around the hair as `constants` bound it, as far as that lies in the picture.
 [[nodiscard]] EyeGrid eyeGrid(const FrameConstants& constants);

@@ -90,7 +90,8 @@ void OpacityGrids::sum(const FrameConstants& constants)
                 for (std::size_t x = 0; x < kGridSide; ++x) {
                     // Vectors have no conversion of what has no sign.
                     const auto area = static_cast<std::int32_t>(std::min(areas[x], kMostArea));
-                    const float here = any ? static_cast<float>(area) * unit : 0.0F;
+                    const float all = any ? static_cast<float>(area) * unit : 0.0F;
+                    const float here = grid == 1 ? std::min(all, kMostWithinVoxel) : all;
                     units[x] =
                         static_cast<std::int32_t>(std::min((sums[x] + 0.5F * here) * kGridUnits + 0.5F, kMostUnits));
                     sums[x] += grid == 1 ? std::min(here, kMostOfVoxel) : here;
