@@ -165,6 +165,8 @@ Style headband()
     style.settings.curl.diameterM = 0.03F;
     style.settings.curl.pitchM = 0.22F;
     style.settings.curl.straightM = 0.08F;
+    style.settings.variation.flyaways = 0.002F;
+    style.settings.variation.crossing = 0.02F;
     style.settings.nodesPerHair = 14;
     style.settings.variation.partGapM = 0.0F;
     style.settings.material.shine = 0.65F;
