@@ -47,35 +47,36 @@ Style beachWaves()
 
 Style wolfCut()
 {
-    Style style{
-        .id = "wolf-cut",
-        .name = "Wolf cut",
-        .tags = {QStringLiteral("medium"), QStringLiteral("wavy")},
-        .settings = settingsOf(0.35F, 0.05F, 0.014F),
-        .record = [](Recording& user) {
-            user.setLayerOpacity(MapKind::Density, 0.85F);
-            user.fill(MapKind::Colour, colour(0xFF4A3426));
-            // Short on top and long in the nape.
-            user.fill(MapKind::Length, user.length(0.12F));
-            user.bands(MapKind::Length,
-                       {{-0.08F, user.length(0.15F)},
-                        {-0.06F, user.length(0.155F)},
-                        {-0.04F, user.length(0.16F)},
-                        {-0.02F, user.length(0.16F)},
-                        {0.0F, user.length(0.155F)},
-                        {0.02F, user.length(0.15F)},
-                        {0.04F, user.length(0.14F)},
-                        {0.06F, user.length(0.13F)}},
-                       75.0F);
-            user.fill(MapKind::Curl, scalar(1.0F));
-            user.fill(MapKind::Frizz, scalar(0.15F));
-            partInTheMiddle(user, {.flatness = 0.6F});
-            cutFringe(user, {.lengthM = 0.066F, .depthM = 0.035F, .halfM = 0.046F, .longerM = 0.03F, .flatness = 0.75F});
-            // No skin shows between its locks.
-            const Ring ring{.sizeM = 0.07F, .hardness = 0.5F};
-            user.brush(MapKind::Curl, scalar(0.5F), ring, user.level(0.078F, 0.0F, 40.0F));
-            user.brush(MapKind::Clump, scalar(0.15F), ring, user.level(0.078F, 0.0F, 40.0F));
-        }};
+    Style style{.id = "wolf-cut",
+                .name = "Wolf cut",
+                .tags = {QStringLiteral("medium"), QStringLiteral("wavy")},
+                .settings = settingsOf(0.35F, 0.05F, 0.014F),
+                .record = [](Recording& user) {
+                    user.setLayerOpacity(MapKind::Density, 0.85F);
+                    user.fill(MapKind::Colour, colour(0xFF4A3426));
+                    // Short on top and long in the nape.
+                    user.fill(MapKind::Length, user.length(0.12F));
+                    user.bands(MapKind::Length,
+                               {{-0.08F, user.length(0.15F)},
+                                {-0.06F, user.length(0.155F)},
+                                {-0.04F, user.length(0.16F)},
+                                {-0.02F, user.length(0.16F)},
+                                {0.0F, user.length(0.155F)},
+                                {0.02F, user.length(0.15F)},
+                                {0.04F, user.length(0.14F)},
+                                {0.06F, user.length(0.13F)}},
+                               75.0F);
+                    user.fill(MapKind::Curl, scalar(1.0F));
+                    user.fill(MapKind::Frizz, scalar(0.15F));
+                    partInTheMiddle(user, {.flatness = 0.6F});
+                    cutFringe(
+                        user,
+                        {.lengthM = 0.066F, .depthM = 0.035F, .halfM = 0.046F, .longerM = 0.03F, .flatness = 0.75F});
+                    // No skin shows between its locks.
+                    const Ring ring{.sizeM = 0.07F, .hardness = 0.5F};
+                    user.brush(MapKind::Curl, scalar(0.5F), ring, user.level(0.078F, 0.0F, 40.0F));
+                    user.brush(MapKind::Clump, scalar(0.15F), ring, user.level(0.078F, 0.0F, 40.0F));
+                }};
     model::setHairType(style.settings, model::hairType("2B"));
     style.settings.nodesPerHair = 12;
     return style;
