@@ -65,6 +65,14 @@ void tieAll(Recording& user, QRgb value, const sim::SurfacePoint& tie)
     user.gather(WornKind::Ponytail, tie);
 }
 
+/// Sideburns are too short for a tie behind the ears: drawn there they would stand off over them.
+void cutSideburns(Recording& user)
+{
+    user.brush(MapKind::Length, user.length(0.010F), {.sizeM = 0.016F, .hardness = 1.0F},
+               {user.around(68.0F, -0.010F), user.around(73.0F, 0.005F), user.around(77.0F, 0.020F),
+                user.around(77.0F, 0.036F)});
+}
+
 void waveSlightly(sim::GroupSettings& settings, float pitchM)
 {
     model::setHairType(settings, model::hairType("2A"));
@@ -112,6 +120,7 @@ Style lowBun()
                     user.setLayerOpacity(MapKind::Density, 0.85F);
                     user.fill(MapKind::Colour, colour(0xFF4A2C1C));
                     user.fill(MapKind::Length, user.length(0.66F));
+                    cutSideburns(user);
                     user.fill(MapKind::Clump, scalar(0.3F));
                     user.gather(WornKind::Bun, user.around(180.0F, -0.022F));
                     setTies(user, WornKind::Bun, 0xFF3A2418, 0.014F, 0.032F);
@@ -215,6 +224,7 @@ Style fishtail()
                     user.setLayerOpacity(MapKind::Density, 0.8F);
                     user.fill(MapKind::Colour, colour(0xFF6E3E22));
                     user.fill(MapKind::Length, user.length(0.46F));
+                    cutSideburns(user);
                     user.fill(MapKind::Braid, entry(kFishtail));
                     // Over the shoulder.
                     user.gather(WornKind::Ponytail, user.around(138.0F, -0.03F));
