@@ -138,6 +138,7 @@ private Q_SLOTS:
             rendering::ScalpTintSources sources = rendering::scalpTintSources(rootsAlone(0.8F).get());
             sources[0].softenM = softenM;
             ScalpTint tint;
+            tint.update(mesh, {}); // The head is there before its hair.
             tint.update(mesh, sources);
             const glm::vec2 uv(0.5F - insideM / 0.2F, 0.5F); // The edge is in the middle.
             const auto nearest =
@@ -152,6 +153,24 @@ private Q_SLOTS:
         QVERIFY(tintAt(kSoftM, 0.002F) < 0.75 * whole);
         QVERIFY(tintAt(kSoftM, 0.002F) < tintAt(kSoftM, 0.006F));
         QVERIFY(tintAt(kSoftM, 0.006F) < whole);
+    }
+
+    /// At a seam the map is bare beside the skin, and hair is not.
+    void aSeamIsNoHairline()
+    {
+        sim::HeadMesh mesh = test::makePatchHead(100);
+        for (glm::vec2& uv : mesh.uvs)
+            uv.x *= 0.5F; // The layout ends in the map's middle, where the paint does.
+        rendering::ScalpTintSources sources = rendering::scalpTintSources(rootsAlone(0.8F).get());
+        sources[0].softenM = 0.008F;
+        ScalpTint tint;
+        tint.update(std::make_shared<const sim::HeadMesh>(mesh), sources);
+        const auto tintAt = [&](float u) {
+            const auto nearest = std::ranges::min_element(
+                mesh.uvs, {}, [&](glm::vec2 at) { return glm::distance(at, glm::vec2(u, 0.5F)); });
+            return tint.texels()[static_cast<std::size_t>(nearest - mesh.uvs.begin())].w;
+        };
+        QCOMPARE(tintAt(0.49F), tintAt(0.3F));
     }
 
     void paintShowsInTheNextPicture()

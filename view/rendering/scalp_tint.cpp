@@ -49,33 +49,35 @@ struct Reads
     }
 };
 
-/// How far the skin is from where hair ends, 0 at its edge, 1 beyond the softened width.
-float insideEdge(const std::array<float, kBeside.size() + kAround>& at)
+/// How far the skin is from where hair ends, 0 at its edge, 1 beyond the softened width. What the layout does not
+/// cover, beyond a seam, says nothing.
+float insideEdge(const sim::MapSampler& density, glm::vec2 uv, float here, const Reads& reads, const LayoutCover& cover)
 {
-    const float own = std::max(at[0], 1e-6F);
     float around = 0.0F;
-    for (std::size_t i = kBeside.size(); i < at.size(); ++i)
-        around += std::min(at.at(i) / own, 1.0F);
+    int covered = 0;
+    for (std::size_t i = kBeside.size(); i < reads.count; ++i) {
+        const glm::vec2 at = uv + reads.offsets.at(i);
+        if (!cover.covers(at))
+            continue;
+        around += std::min(density.scalar(at) / here, 1.0F);
+        ++covered;
+    }
     // Half of a circle about a point of a straight edge is bare.
-    return std::clamp(2.0F * around / static_cast<float>(kAround) - 1.0F, 0.0F, 1.0F);
+    return covered == 0 ? 1.0F : std::clamp(2.0F * around / static_cast<float>(covered) - 1.0F, 0.0F, 1.0F);
 }
 
-float densityAround(const sim::MapSampler& density, glm::vec2 uv, const Reads& reads)
+float densityAround(const sim::MapSampler& density, glm::vec2 uv, const Reads& reads, const LayoutCover& cover)
 {
-    std::array<float, kBeside.size() + kAround> at{};
-    for (std::size_t i = 0; i < kBeside.size(); ++i)
+    std::array<float, kBeside.size()> at{};
+    for (std::size_t i = 0; i < at.size(); ++i)
         at.at(i) = density.scalar(uv + reads.offsets.at(i));
     // Dense on both sides of it: beyond an edge there is nothing.
     const float across = std::max(std::min(at[1], at[4]), std::min(at[2], at[3]));
-    const float mean =
-        std::accumulate(at.begin(), at.begin() + kBeside.size(), 0.0F) / static_cast<float>(kBeside.size());
+    const float mean = std::accumulate(at.begin(), at.end(), 0.0F) / static_cast<float>(at.size());
     const float here = std::max(std::min(at[0], mean), across);
     if (reads.count == kBeside.size() || !(here > 0.0F))
         return here;
-    for (std::size_t i = kBeside.size(); i < reads.count; ++i)
-        at.at(i) = density.scalar(uv + reads.offsets.at(i));
-    at[0] = here;
-    return here * insideEdge(at);
+    return here * insideEdge(density, uv, here, reads, cover);
 }
 
 /// All points that vertices read, `reads.count` a vertex.
@@ -106,6 +108,42 @@ float uvPerMetre(const sim::HeadMesh& mesh)
 
 } // namespace
 
+LayoutCover::LayoutCover(const sim::HeadMesh& mesh) : m_isCovered(kSide * kSide, false)
+{
+    const auto texelOf = [](float coordinate) {
+        return std::clamp(static_cast<int>(coordinate * static_cast<float>(kSide)), 0, int{kSide} - 1);
+    };
+    const auto side = [](glm::vec2 a, glm::vec2 b, glm::vec2 p) {
+        return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    };
+    for (const glm::uvec3 corners : mesh.triangles) {
+        const std::array<glm::vec2, 3> uvs{mesh.uvs[corners.x], mesh.uvs[corners.y], mesh.uvs[corners.z]};
+        const glm::vec2 low = glm::min(glm::min(uvs[0], uvs[1]), uvs[2]);
+        const glm::vec2 high = glm::max(glm::max(uvs[0], uvs[1]), uvs[2]);
+        if (!(low.x >= 0.0F && low.y >= 0.0F && high.x <= 1.0F && high.y <= 1.0F))
+            continue;
+        for (const glm::vec2 uv : uvs)
+            m_isCovered[at(texelOf(uv.x), texelOf(uv.y))] = true;
+        for (int y = texelOf(low.y); y <= texelOf(high.y); ++y)
+            for (int x = texelOf(low.x); x <= texelOf(high.x); ++x) {
+                const glm::vec2 middle = (glm::vec2(x, y) + 0.5F) / static_cast<float>(kSide);
+                const float a = side(uvs[0], uvs[1], middle);
+                const float b = side(uvs[1], uvs[2], middle);
+                const float c = side(uvs[2], uvs[0], middle);
+                if ((a >= 0.0F && b >= 0.0F && c >= 0.0F) || (a <= 0.0F && b <= 0.0F && c <= 0.0F))
+                    m_isCovered[at(x, y)] = true;
+            }
+    }
+}
+
+bool LayoutCover::covers(glm::vec2 uv) const
+{
+    if (m_isCovered.empty() || !(uv.x >= 0.0F && uv.y >= 0.0F && uv.x < 1.0F && uv.y < 1.0F))
+        return false;
+    const glm::ivec2 texel(uv * static_cast<float>(kSide));
+    return m_isCovered[at(texel.x, texel.y)];
+}
+
 ScalpTintSources scalpTintSources(const sim::StrandFrame* hair)
 {
     ScalpTintSources sources;
@@ -132,14 +170,18 @@ bool ScalpTint::update(const std::shared_ptr<const sim::HeadMesh>& mesh, const S
         return false;
     const ScalpTintSources before = std::exchange(m_sources, sources);
     m_mesh = mesh;
+    if (otherMesh) {
+        m_indices.clear();
+        m_cover.reset();
+    }
     const bool had = !m_texels.empty();
     if (!mesh || m_sources.empty() || mesh->uvs.size() != mesh->positionsHd.size()) {
         m_texels.clear();
         return had;
     }
-    if (otherMesh) {
-        m_indices.clear();
+    if (!m_cover) {
         m_uvPerM = uvPerMetre(*mesh);
+        m_cover = LayoutCover(*mesh);
     }
     const auto alike = [](const ScalpTintSource& a, const ScalpTintSource& b) {
         return a.strength == b.strength && a.densityPerM2 == b.densityPerM2 && a.softenM == b.softenM;
@@ -198,7 +240,7 @@ void ScalpTint::evaluate(std::span<const std::uint32_t> vertices)
             glm::vec4 tint(0.0F);
             for (std::size_t group = 0; group < maps.size(); ++group) {
                 const float hairs =
-                    densityAround(maps[group].density, uv, maps[group].reads) * m_sources[group].densityPerM2;
+                    densityAround(maps[group].density, uv, maps[group].reads, *m_cover) * m_sources[group].densityPerM2;
                 if (!(hairs > 0.0F))
                     continue;
                 const float cover = m_sources[group].strength * (1.0F - std::exp(-hairs / kRoots));

@@ -11,6 +11,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -31,6 +32,23 @@ using ScalpTintSources = std::vector<ScalpTintSource>;
 
 /// The sources of the groups that are visible and tint the skin.
 [[nodiscard]] ScalpTintSources scalpTintSources(const sim::StrandFrame* hair);
+
+/// What of its layout a mesh covers, to a two-hundredth of it. Immutable.
+class LayoutCover
+{
+public:
+    LayoutCover() = default; ///< Covers nothing.
+    explicit LayoutCover(const sim::HeadMesh& mesh);
+    [[nodiscard]] bool covers(glm::vec2 uv) const;
+
+private:
+    static constexpr std::size_t kSide = 256;
+    [[nodiscard]] static std::size_t at(int x, int y)
+    {
+        return static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x);
+    }
+    std::vector<bool> m_isCovered; ///< [kSide][kSide]
+};
 
 /// The tint at each vertex of a mesh. Only vertices whose texels may differ are looked at again. One thread; uses
 /// parallelFor.
@@ -56,6 +74,7 @@ private:
     ScalpTintSources m_sources;
     std::vector<Texel> m_texels;
     float m_uvPerM = 0.0F; ///< Of the layout, as a mean.
+    std::optional<LayoutCover> m_cover;
     /// By the raster's size and how far around a vertex reads it: which vertices read which tiles.
     std::map<std::pair<int, float>, sim::TileIndex> m_indices;
 };
