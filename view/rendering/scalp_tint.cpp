@@ -124,6 +124,9 @@ LayoutCover::LayoutCover(const sim::HeadMesh& mesh) : m_isCovered(kSide * kSide,
             continue;
         for (const glm::vec2 uv : uvs)
             m_isCovered[at(texelOf(uv.x), texelOf(uv.y))] = true;
+        constexpr float kTexel = 1.0F / static_cast<float>(kSide);
+        if (high.x - low.x <= kTexel && high.y - low.y <= kTexel)
+            continue;
         for (int y = texelOf(low.y); y <= texelOf(high.y); ++y)
             for (int x = texelOf(low.x); x <= texelOf(high.x); ++x) {
                 const glm::vec2 middle = (glm::vec2(x, y) + 0.5F) / static_cast<float>(kSide);
