@@ -72,8 +72,8 @@ Style bantuKnots()
                     user.polygon(MapKind::Accessory, entry(kBun), aroundLeft(user, 0.0F));
                     user.brush(MapKind::Accessory, entry(kBun), {.sizeM = 0.006F, .hardness = 1.0F}, overMiddle(user));
                     for (const Recording::Points& line : partings(user)) {
-                        user.erase(MapKind::Accessory, {.sizeM = 0.002F, .hardness = 1.0F}, line);
-                        user.erase(MapKind::Density, {.sizeM = 0.0044F, .hardness = 1.0F}, line);
+                        user.erase(MapKind::Accessory, {.sizeM = 0.003F, .hardness = 1.0F}, line);
+                        user.erase(MapKind::Density, {.sizeM = 0.0046F, .hardness = 1.0F}, line);
                     }
                     shaveDownTheBack(user);
                     for (const sim::SurfacePoint& point : knots(user)) {

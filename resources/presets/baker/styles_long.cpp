@@ -99,8 +99,8 @@ Style twoPlaits()
                     // A side is a region; the parting between them stays free.
                     user.polygon(MapKind::Braid, entry(kPlait), aroundLeft(user, 0.0F));
                     outToHairline(user, MapKind::Braid, entry(kPlait));
-                    user.erase(MapKind::Braid, {.sizeM = 0.0014F, .hardness = 1.0F}, overMiddle(user));
-                    shaveMiddle(user, 0.0040F);
+                    user.erase(MapKind::Braid, {.sizeM = 0.0028F, .hardness = 1.0F}, overMiddle(user));
+                    shaveMiddle(user, 0.0048F);
                 }};
     style.settings.braidSpacingM = 0.6F;
     style.settings.braidRadiusM = 0.0105F;
