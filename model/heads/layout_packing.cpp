@@ -1,8 +1,8 @@
 // Cells of a square, told apart by what is covered.
 #include "model/heads/layout_packing.h"
 
-#include "model/heads/uv_raster.h"
 #include "model/values/srgb.h"
+#include "sim/skin/uv_raster.h"
 
 #include <algorithm>
 #include <bitset>
@@ -30,7 +30,7 @@ Cover coverOf(const RiggedMesh& mesh, const PartRange& range)
 {
     Cover covered;
     for (std::size_t t = range.firstTriangle; t < range.firstTriangle + range.triangles; ++t)
-        eachTexelOf(mesh, mesh.triangles[t], kCoverSide, [&covered](std::size_t texel) { covered.set(texel); });
+        sim::eachTexelOf(mesh, mesh.triangles[t], kCoverSide, [&covered](std::size_t texel) { covered.set(texel); });
     return covered;
 }
 
@@ -190,7 +190,7 @@ LayoutOverlap overlapOf(const sim::HeadMesh& mesh)
     };
     std::vector<bool> isOver(owner.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        eachTexelOf(
+        sim::eachTexelOf(
             mesh, mesh.triangles[t], kSide,
             [&](std::size_t texel) {
                 if (owner[texel] == 0) {

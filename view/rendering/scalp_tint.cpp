@@ -3,6 +3,7 @@
 
 #include "sim/base/parallel.h"
 #include "sim/groom/map_sampler.h"
+#include "sim/skin/uv_raster.h"
 #include "view/rendering/light/encoded_colour.h"
 
 #include <algorithm>
@@ -110,41 +111,16 @@ float uvPerMetre(const sim::HeadMesh& mesh)
 
 LayoutCover::LayoutCover(const sim::HeadMesh& mesh) : m_isCovered(kSide * kSide, false)
 {
-    const auto texelOf = [](float coordinate) {
-        return std::clamp(static_cast<int>(coordinate * static_cast<float>(kSide)), 0, int{kSide} - 1);
-    };
-    const auto side = [](glm::vec2 a, glm::vec2 b, glm::vec2 p) {
-        return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-    };
-    for (const glm::uvec3 corners : mesh.triangles) {
-        const std::array<glm::vec2, 3> uvs{mesh.uvs[corners.x], mesh.uvs[corners.y], mesh.uvs[corners.z]};
-        const glm::vec2 low = glm::min(glm::min(uvs[0], uvs[1]), uvs[2]);
-        const glm::vec2 high = glm::max(glm::max(uvs[0], uvs[1]), uvs[2]);
-        if (!(low.x >= 0.0F && low.y >= 0.0F && high.x <= 1.0F && high.y <= 1.0F))
-            continue;
-        for (const glm::vec2 uv : uvs)
-            m_isCovered[at(texelOf(uv.x), texelOf(uv.y))] = true;
-        constexpr float kTexel = 1.0F / static_cast<float>(kSide);
-        if (high.x - low.x <= kTexel && high.y - low.y <= kTexel)
-            continue;
-        for (int y = texelOf(low.y); y <= texelOf(high.y); ++y)
-            for (int x = texelOf(low.x); x <= texelOf(high.x); ++x) {
-                const glm::vec2 middle = (glm::vec2(x, y) + 0.5F) / static_cast<float>(kSide);
-                const float a = side(uvs[0], uvs[1], middle);
-                const float b = side(uvs[1], uvs[2], middle);
-                const float c = side(uvs[2], uvs[0], middle);
-                if ((a >= 0.0F && b >= 0.0F && c >= 0.0F) || (a <= 0.0F && b <= 0.0F && c <= 0.0F))
-                    m_isCovered[at(x, y)] = true;
-            }
-    }
+    for (const glm::vec2 uv : mesh.uvs) // A fine mesh's faces have no texel's middle.
+        if (isInside(uv))
+            m_isCovered[texelAt(uv)] = true;
+    for (const glm::uvec3& corners : mesh.triangles)
+        sim::eachTexelOf(mesh, corners, int{kSide}, [this](std::size_t texel) { m_isCovered[texel] = true; });
 }
 
 bool LayoutCover::covers(glm::vec2 uv) const
 {
-    if (m_isCovered.empty() || !(uv.x >= 0.0F && uv.y >= 0.0F && uv.x < 1.0F && uv.y < 1.0F))
-        return false;
-    const glm::ivec2 texel(uv * static_cast<float>(kSide));
-    return m_isCovered[at(texel.x, texel.y)];
+    return isInside(uv) && !m_isCovered.empty() && m_isCovered[texelAt(uv)];
 }
 
 ScalpTintSources scalpTintSources(const sim::StrandFrame* hair)

@@ -33,7 +33,7 @@ using ScalpTintSources = std::vector<ScalpTintSource>;
 /// The sources of the groups that are visible and tint the skin.
 [[nodiscard]] ScalpTintSources scalpTintSources(const sim::StrandFrame* hair);
 
-/// What of its layout a mesh covers, to a two-hundredth of it. Immutable.
+/// What of its layout a mesh covers, to 1/256 of its side. Immutable.
 class LayoutCover
 {
 public:
@@ -43,9 +43,14 @@ public:
 
 private:
     static constexpr std::size_t kSide = 256;
-    [[nodiscard]] static std::size_t at(int x, int y)
+    [[nodiscard]] static bool isInside(glm::vec2 uv)
     {
-        return static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x);
+        return uv.x >= 0.0F && uv.y >= 0.0F && uv.x < 1.0F && uv.y < 1.0F;
+    }
+    [[nodiscard]] static std::size_t texelAt(glm::vec2 uv)
+    {
+        const glm::u64vec2 texel(uv * static_cast<float>(kSide));
+        return texel.y * kSide + texel.x;
     }
     std::vector<bool> m_isCovered; ///< [kSide][kSide]
 };

@@ -7,6 +7,18 @@
 
 namespace hairpaint::presets {
 
+namespace {
+
+/// A fringe so loose that no skin shows between its locks, up to so far from the face's middle.
+void loosenFringe(Recording& user, float curl, float degrees)
+{
+    const Ring ring{.sizeM = 0.07F, .hardness = 0.5F};
+    user.brush(MapKind::Clump, scalar(0.15F), ring, user.level(0.078F, 0.0F, degrees));
+    user.brush(MapKind::Curl, scalar(curl), ring, user.level(0.078F, 0.0F, degrees));
+}
+
+} // namespace
+
 Style beachWaves()
 {
     Style style{.id = "beach-waves-balayage",
@@ -72,10 +84,7 @@ Style wolfCut()
                     cutFringe(
                         user,
                         {.lengthM = 0.066F, .depthM = 0.035F, .halfM = 0.046F, .longerM = 0.03F, .flatness = 0.75F});
-                    // No skin shows between its locks.
-                    const Ring ring{.sizeM = 0.07F, .hardness = 0.5F};
-                    user.brush(MapKind::Curl, scalar(0.5F), ring, user.level(0.078F, 0.0F, 40.0F));
-                    user.brush(MapKind::Clump, scalar(0.15F), ring, user.level(0.078F, 0.0F, 40.0F));
+                    loosenFringe(user, 0.5F, 40.0F);
                 }};
     model::setHairType(style.settings, model::hairType("2B"));
     style.settings.nodesPerHair = 12;
@@ -102,10 +111,7 @@ Style shag()
                     cutFringe(
                         user,
                         {.lengthM = 0.058F, .depthM = 0.045F, .halfM = 0.041F, .longerM = 0.02F, .flatness = 0.75F});
-                    // Loose enough that no skin shows between its locks.
-                    const Ring ring{.sizeM = 0.07F, .hardness = 0.5F};
-                    user.brush(MapKind::Clump, scalar(0.15F), ring, user.level(0.078F, 0.0F, 38.0F));
-                    user.brush(MapKind::Curl, scalar(0.45F), ring, user.level(0.078F, 0.0F, 38.0F));
+                    loosenFringe(user, 0.45F, 38.0F);
                 }};
     model::setHairType(style.settings, model::hairType("2C"));
     style.settings.curl.gather = 0.8F;

@@ -6,13 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hairpaint::model {
+namespace hairpaint::sim {
 
 /// Calls visit(row * side + column) for texels whose middles lie inside, rows from v = 0 up; those in the border of
 /// `inside` of its height from each side are left out. Of uvs beyond 0..1 only what lies within.
 template<typename Visit>
-void eachTexelOf(const sim::HeadMesh& mesh, const glm::uvec3& triangle, int side, const Visit& visit,
-                 float inside = 0.0F)
+void eachTexelOf(const HeadMesh& mesh, const glm::uvec3& triangle, int side, const Visit& visit, float inside = 0.0F)
 {
     const auto scale = static_cast<float>(side);
     const glm::vec2 a = mesh.uvs[triangle.x] * scale;
@@ -39,4 +38,4 @@ void eachTexelOf(const sim::HeadMesh& mesh, const glm::uvec3& triangle, int side
         }
 }
 
-} // namespace hairpaint::model
+} // namespace hairpaint::sim
