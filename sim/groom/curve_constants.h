@@ -9,7 +9,7 @@ inline constexpr float kCurlEaseFraction = 0.25F;
 /// A coil in real units grows over so much of the hair, or a quarter of a turn or so many of its radii if that is more:
 /// no sooner than the hair has left the skin as far.
 inline constexpr float kCoilEaseM = 0.01F;
-inline constexpr float kCoilEaseRadii = 4.0F;
+inline constexpr float kCoilEaseRadii = 6.0F;
 /// No hair is straight at its root over more of its length than this.
 inline constexpr float kMostStraightFraction = 0.25F;
 /// From this length on, weight uncoils a hair as far as its group says; shorter ones in proportion.

@@ -25,7 +25,7 @@ struct PhysicsSettings
     float friction = 0.4F;  ///< 0..1 on the head: fraction of the tangential motion lost in a step of contact.
     float volumeM = 0.008F; ///< m, 0..0.05: thickness of the whole coat; each hair lies at its own height in it.
     /// m, 0..0.2: the length of hair from the root along which the coat gains its thickness, so that a parting is no
-    /// groove; hair that is short gains it sooner. At 0 as steeply as hair bends.
+    /// groove; hair that is short gains it sooner, a coat too thick for that later. At 0 as steeply as hair bends.
     float volumeRiseM = 0.0F;
     float body = 0.0F; ///< 0..1: how strongly hair keeps out of hair and moves along with it; 0: it does neither.
     float loft = 0.0F; ///< 0..1: how far roots resist being pressed flat, so that the coat keeps its height at rest.

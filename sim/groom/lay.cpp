@@ -18,6 +18,17 @@ constexpr float kProbeM = 0.005F;
 constexpr float kStepM = 0.0015F;
 constexpr int kSteps = 3;
 
+/// Length along which a hair's height in the coat rises, m: as is set, but no sooner than a head falls off by `topM`,
+/// which its coils reach, so that a parting is no groove. 0, at once, where that is set.
+float coatRise(float setM, float topM, float lengthM)
+{
+    constexpr float kHeadRadiusM = 0.09F;
+    constexpr float kRisesWithin = 0.4F; // Greatest fraction of the length.
+    if (setM <= 0.0F)
+        return 0.0F;
+    return std::min(std::max(setM, std::sqrt(2.0F * kHeadRadiusM * topM)), kRisesWithin * lengthM);
+}
+
 } // namespace
 
 bool isUpright(const MapSampler& direction)
@@ -62,17 +73,9 @@ bool Lay::add(const LayRoot& root, float lengthM)
     m_lanes.segmentM[lane] = segmentM;
     m_lanes.steps[lane] = std::max(std::ceil(segmentM / kLongestLayStepM), 1.0F);
     m_lanes.falls[lane] = falls;
-    m_lanes.coatM[lane] = std::min(m_inputs.coatM, 0.001F + 0.12F * lengthM) * (0.3F + 0.7F * root.chance);
-    m_lanes.liftM[lane] = root.liftM;
-    constexpr float kRisesWithin = 0.4F; // Greatest fraction of the length along which the coat rises.
-    float riseM = std::min(m_inputs.coatRiseM, kRisesWithin * lengthM);
-    if (root.liftM > 0.0F && root.liftRises) {
-        riseM = std::min(riseM, kCoilEaseRadii * root.liftM);
-        m_lanes.coatM[lane] += root.liftM;
-        m_lanes.liftM[lane] = 0.0F;
-    } else if (root.liftM > 0.0F) {
-        riseM = 0.0F; // A coil needs its room at once.
-    }
+    const float coatM = std::min(m_inputs.coatM, 0.001F + 0.12F * lengthM) * (0.3F + 0.7F * root.chance) + root.liftM;
+    m_lanes.coatM[lane] = coatM;
+    const float riseM = coatRise(m_inputs.coatRiseM, coatM + root.liftM, lengthM);
     m_lanes.perRise[lane] = riseM > 0.0F ? 1.0F / riseM : 0.0F;
     constexpr float kAcrossM = 0.009F; // The width of a parting: two cells.
     m_lanes.keepsM[lane] = strays && growth != own ? kAcrossM : 0.0F;
@@ -154,7 +157,6 @@ void Lay::lay()
         m_lanes.steps[lane] = m_lanes.steps[0];
         m_lanes.falls[lane] = m_lanes.falls[0];
         m_lanes.coatM[lane] = m_lanes.coatM[0];
-        m_lanes.liftM[lane] = m_lanes.liftM[0];
         m_lanes.perRise[lane] = m_lanes.perRise[0];
         m_lanes.keepsM[lane] = m_lanes.keepsM[0];
         m_lanes.lies[lane] = m_lanes.lies[0];

@@ -23,8 +23,7 @@ struct LayRoot
     /// Offset from the root to the point whose direction it takes, see strayOf(); 0 for hair that may not cross a
     /// parting.
     glm::vec3 strayHd{0.0F};
-    float liftM = 0.0F;     ///< Height added to that in the coat: the room below a coil's middle,
-    bool liftRises = false; ///< which is gained as the coil opens, not at once.
+    float liftM = 0.0F; ///< Height added to that in the coat: the room below a coil's middle.
 };
 
 /// Whether a direction map lets every hair stand along its normal.

@@ -83,7 +83,6 @@ HWY_INLINE void layFrom(const LayTask& task, std::size_t lane)
     const Lanes steps = row(lanes.steps);
     const Lanes falls = row(lanes.falls);
     const Lanes coat = row(lanes.coatM);
-    const Lanes lift = row(lanes.liftM);
     const Lanes perRise = row(lanes.perRise);
     const Lanes keeps = row(lanes.keepsM);
     const bool anyRises = any(perRise > 0.0F);
@@ -147,7 +146,7 @@ HWY_INLINE void layFrom(const LayTask& task, std::size_t lane)
                     const Lanes risen = least((path + step) * perRise, one);
                     aim = select(perRise > 0.0F, coat * (risen * risen), coat);
                 }
-                const Lanes sine = least(most((aim + lift - height) * perClimb, diving), kSteepest);
+                const Lanes sine = least(most((aim - height) * perClimb, diving), kSteepest);
                 const Lanes sine2 = sine * sine;
                 const Lanes cosine = one - sine2 * (0.5F + 0.125F * sine2);
                 const Lanes flat = flatness - kStandsBelow;

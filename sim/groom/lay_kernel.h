@@ -32,8 +32,7 @@ struct LayLanes
     Row segmentM{};
     Row steps{};   ///< Steps per segment.
     Row falls{};   ///< See fallFraction().
-    Row coatM{};   ///< Height in the coat at which it lies,
-    Row liftM{};   ///< and what is added to it from the root on.
+    Row coatM{};   ///< Height in the coat at which it lies.
     Row perRise{}; ///< 1/m: one over the length along which the coat rises to its height; 0: at once.
     Row keepsM{};  ///< Length from the root along which it keeps its direction, whatever the field.
     Row lies{};    ///< 1 where it lies on the head at its root, 0 where it stands.

@@ -89,8 +89,7 @@ LayRoot layRootOf(const GroupSettings& settings, const RootSet& roots, std::uint
             .strayHd = settings.variation.parting > 0.0F
                            ? strayOf(settings.variation, roots.seed, roots.rankOfSlot[slot], positionHd, frame)
                            : glm::vec3(0.0F),
-            .liftM = liftM,
-            .liftRises = settings.curl.straightM > 0.0F};
+            .liftM = liftM};
 }
 
 RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv)

@@ -115,7 +115,10 @@ private Q_SLOTS:
     void coilsAreAsLargeAsIsSet();
     void theCrownIsClosed_data() { onHeads({"Long straight", "Ringlets", "Round afro"}); }
     void theCrownIsClosed();
-    void theOutlineFromBehindHasNoDent_data() { onHeads({"Long straight", "Round afro"}); }
+    void theOutlineFromBehindHasNoDent_data()
+    {
+        onHeads({"Long straight", "Round afro", "Ringlets", "Curly bob", "Split dye"});
+    }
     void theOutlineFromBehindHasNoDent();
     void aPartingWaversAndIsCrossed_data() { onHeads({"Long straight"}); }
     void aPartingWaversAndIsCrossed();
@@ -199,9 +202,12 @@ void TestStyleMeasures::theOutlineFromBehindHasNoDent()
 {
     QFETCH(QString, head);
     QFETCH(QString, style);
-    // "Never a groove in the silhouette from behind": 3 mm of 8 cm.
+    // "Never a groove in the silhouette from behind": 3 mm of 8 cm, and among coils half of one.
     const float found = dentM(dense(head, style));
-    QVERIFY2(found < 0.003F, qPrintable(QString::number(found)));
+    const sim::GroupSettings& settings = settled(head, style).hair->project().groups.front().settings;
+    const bool isCoiled = settings.turnsMode == sim::TurnsMode::Coils;
+    const float coilM = isCoiled ? 0.5F * settings.curl.diameterM * (1.0F - settings.curl.flatness) : 0.0F;
+    QVERIFY2(found < 0.003F + coilM, qPrintable(QString::number(found)));
 }
 
 void TestStyleMeasures::aPartingWaversAndIsCrossed()
