@@ -73,13 +73,13 @@ std::vector<sim::SkinMarks> builtInMarks(const QString& resource)
     return marks;
 }
 
-/// Signed distances to the finer mesh; null where there is no such file. Its layout: origin, cell, three sizes, then
-/// the values' differences as qCompress packs them.
-std::shared_ptr<const sim::DistanceGrid> builtInDistances(const QString& resource)
+/// Signed distances to the finer mesh; to `mesh` where there is no such file. Its layout: origin, cell, three sizes,
+/// then the values' differences as qCompress packs them.
+std::shared_ptr<const sim::DistanceGrid> builtInDistances(const sim::HeadMesh& mesh, const QString& resource)
 {
     constexpr qsizetype kLayoutBytes = 28;
     if (!QFile::exists(resource))
-        return nullptr;
+        return sim::DistanceGrid::make(mesh);
     const QByteArray bytes = builtInFile(resource);
     const auto number = [&bytes](int index) { return qFromLittleEndian<float>(bytes.constData() + 4 * index); };
     const auto size = [&bytes](int index) { return qFromLittleEndian<qint32>(bytes.constData() + 4 * index); };
@@ -169,7 +169,7 @@ std::shared_ptr<const Head> loadBuiltIn(const heads::HeadRow& row)
     };
     const auto makeShown = [&] {
         head->shownMesh = shownMesh(mesh, marks, resource);
-        head->distances = builtInDistances(resource + QStringLiteral(".distances"));
+        head->distances = builtInDistances(mesh, resource + QStringLiteral(".distances"));
     };
     // Every start waits for it: what carries hair and what is seen are made beside each other.
     sim::parallelFor(2, 1, [&](std::size_t begin, std::size_t end) {

@@ -23,17 +23,12 @@ namespace {
 constexpr std::size_t kHairs = 3000;
 constexpr double kSettledSeconds = 2.0;
 
-/// "new": the head of a new project. Else one that a user could bring: the bust of former versions, with a grid of
-/// distances as an imported head has it.
+/// "new": the head of a new project. Else the bust of former versions.
 std::shared_ptr<const model::Head> headNamed(const QString& name)
 {
     if (name == QLatin1StringView("new"))
         return model::defaultHead();
-    static const std::shared_ptr<const model::Head> other = [] {
-        auto head = std::make_shared<model::Head>(**model::builtInHead(QStringLiteral("bust-1")));
-        head->distances = sim::DistanceGrid::make(head->skin->mesh());
-        return head;
-    }();
+    static const std::shared_ptr<const model::Head> other = *model::builtInHead(QStringLiteral("bust-1"));
     return other;
 }
 

@@ -92,6 +92,8 @@ private Q_SLOTS:
 
         const Checked<std::shared_ptr<const Head>> old = builtInHead(QStringLiteral("bust-1"));
         QVERIFY(old && (*old)->shownMesh->marks.empty());
+        // Hair is kept off it by its surface, not by ellipsoids alone.
+        QVERIFY((*old)->distances != nullptr);
     }
 
     void hairGrowsAwayFromTheCrown_data()

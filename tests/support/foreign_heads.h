@@ -69,6 +69,15 @@ inline ForeignHead childOf(const sim::HeadMesh& known)
     });
 }
 
+/// Broader and lower, the jaw as wide as the skull.
+inline ForeignHead broadOf(const sim::HeadMesh& known)
+{
+    return bent(known, [](const glm::vec3& p) {
+        const float wider = 1.10F - 0.04F * std::tanh((p.y + 0.02F) / 0.05F);
+        return glm::vec3(wider * p.x, 0.95F * p.y, 1.05F * p.z);
+    });
+}
+
 /// As a scanner gives it: turned and shifted, another face, rough, with holes, and cut off at the neck.
 inline ForeignHead scanOf(const sim::HeadMesh& known)
 {

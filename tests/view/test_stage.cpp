@@ -74,6 +74,24 @@ private Q_SLOTS:
                 view::pictureCamera(view, Fit::Head, *head, nullptr, 1.0F));
         QVERIFY(shown(view::pictureCamera(view, Fit::Bust, *head, &longHair, 1.0F), foot).y > -1.0F);
     }
+
+    void aHeadThatStandsHighFillsItsPicture()
+    {
+        // As of a figure whose origin is between its feet.
+        const glm::vec3 up(0.0F, 1.6F, 0.0F);
+        sim::HeadMesh mesh = model::defaultHead()->skin->mesh();
+        for (glm::vec3& p : mesh.positionsHd)
+            p += up;
+        model::Head head = *model::defaultHead();
+        head.builtIn = false;
+        head.skin = std::make_shared<const sim::Skin>(std::move(mesh));
+        const auto lowest = [&head](glm::vec3 tip) {
+            const sim::StrandFrame hair = hairTo(tip);
+            return shown(view::pictureCamera(StandardView::Front, Fit::Hair, head, &hair, 1.0F), tip).y;
+        };
+        const glm::vec3 tip = up + glm::vec3(0.0F, -0.5F, 0.0F);
+        QVERIFY2(lowest(tip) < -0.85F && lowest(tip) > -1.0F, qPrintable(QString::number(lowest(tip))));
+    }
 };
 
 HAIRPAINT_TEST(TestStage, Core)

@@ -13,15 +13,19 @@ constexpr float kBustShownM = 0.52F;
 constexpr glm::vec3 kBustMiddleWo{0.0F, -0.063F, 0.0F};
 constexpr float kMarginM = 0.015F; ///< Margin above the highest hair: curls and volume reach beyond the nodes.
 
-/// Visits the nodes of all slots in positioned blocks; slots without hair lie in the head's centre and change nothing.
+/// Visits the nodes of all hairs in positioned blocks. A slot of zeros is no hair's.
 template<class Visit>
 void forEachNode(const sim::GroupFrame& group, const Visit& visit)
 {
     const sim::StrandBlocks layout = group.groom->blocks();
     group.forEachPositionedBlock([&](std::size_t block) {
         for (std::size_t row = 0; row < layout.blockFloats(); row += sim::StrandBlocks::kNodeStride)
-            for (std::size_t lane = 0; lane < sim::kLanes; ++lane)
-                visit(sim::StrandBlocks::load(group.positions.data() + layout.floatsFor(block) + row + lane));
+            for (std::size_t lane = 0; lane < sim::kLanes; ++lane) {
+                const glm::vec3 node =
+                    sim::StrandBlocks::load(group.positions.data() + layout.floatsFor(block) + row + lane);
+                if (node != glm::vec3(0.0F))
+                    visit(node);
+            }
     });
 }
 

@@ -101,6 +101,10 @@ Style twoPlaits()
                     outToHairline(user, MapKind::Braid, entry(kPlait));
                     user.erase(MapKind::Braid, {.sizeM = 0.0028F, .hardness = 1.0F}, overMiddle(user));
                     shaveMiddle(user, 0.0048F);
+                    // The plaits leave the head forward, to hang before the shoulders of any body.
+                    constexpr std::array<Recording::Seen, 5> kForward{
+                        {{112.0F, 0.075F}, {102.0F, 0.06F}, {92.0F, 0.045F}, {83.0F, 0.028F}, {76.0F, 0.008F}}};
+                    user.comb(0.95F, {.sizeM = 0.05F, .hardness = 0.6F}, user.along(kForward));
                 }};
     style.settings.braidSpacingM = 0.6F;
     style.settings.braidRadiusM = 0.0105F;
