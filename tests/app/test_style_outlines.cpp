@@ -2,11 +2,13 @@
 #include "app/background/heads.h"
 #include "model/files/glb_writing.h"
 #include "model/files/head_file.h"
+#include "model/files/part_selection.h"
 #include "model/files/preset_file.h"
 #include "model/styles/style_transfer.h"
 #include "tests/app/exported_hair.h"
 #include "tests/app/outlines.h"
 #include "tests/support/foreign_heads.h"
+#include "tests/support/locations.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -60,7 +62,13 @@ WornHead makeHead(const QString& name)
         return imported(broadOf(bust).mesh);
     if (name == QLatin1StringView("scan"))
         return imported(scanOf(bust).mesh);
-    const auto file = app::importHead(name);
+    model::Result<model::RiggedMesh> mesh = model::ImporterClient(importProgram()).readMesh(name);
+    if (!mesh)
+        return {};
+    const model::HeadGuess guess = model::guessHead(*mesh);
+    if (!model::choosePartsBy(*mesh, {}, guess))
+        return {};
+    const auto file = app::headOf(name, *mesh, false, guess);
     return file ? WornHead{.head = file->head, .ellipsoids = file->ellipsoids} : WornHead();
 }
 
