@@ -37,8 +37,8 @@ set(hairpaint_label_rows
     "view\\..*" "window"
 
     "app\\.(commands|declarations|interruption|layering|readmes|settings_store|starter|translations)" "logic"
-    "app\\.(lie|skin_contact|style_measures)" "hair"
-    "app\\.(drawn_pictures|kept_pictures|style_pictures)" "gpu"
+    "app\\.(lie|skin_contact|style_measures|style_outlines)" "hair"
+    "app\\.(built_in_pictures|drawn_pictures|kept_pictures|style_pictures)" "gpu"
     "app\\.monkey" "window memory"
     "app\\.(broken_files|ended_window|error_sentences|killed_window|long_work|odd_clock|recovery|recovery_trouble|repair_damage)" "fault"
     "app\\.(open_file|silent_disk|silent_exchange)" "window"
