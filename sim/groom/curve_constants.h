@@ -74,16 +74,16 @@ inline constexpr float kTwistRoomTurns = 0.3F;
 /// kTuftWispFraction of their radius and narrows to kTuftTipFraction; each hair ends by chance within the last
 /// kTuftUneven of it.
 inline constexpr float kTuftFraction = 0.12F;
-inline constexpr float kTuftOpens = 0.3F;
-inline constexpr float kTuftWispFraction = 1.5F;
-inline constexpr float kTuftTipFraction = 0.8F;
+inline constexpr float kTuftOpens = 0.65F;
+inline constexpr float kTuftWispFraction = 1.25F;
+inline constexpr float kTuftTipFraction = 0.6F;
 inline constexpr float kTuftUneven = 0.6F;
 inline constexpr float kOwnEndFactor = 83.9F;
 /// Fraction of the braid before the tuft where it is drawn together as by a tie: there the wisps close up to
 /// kTieBraidFraction of r, and each to kTieWispFraction of its radius.
 inline constexpr float kTieFraction = 0.05F;
-inline constexpr float kTieBraidFraction = 0.25F;
-inline constexpr float kTieWispFraction = 0.6F;
+inline constexpr float kTieBraidFraction = 0.2F;
+inline constexpr float kTieWispFraction = 0.5F;
 
 /// Frizz: a hair strays by no more than this fraction of its length, and once in so many metres and so many times as it
 /// strays far, so that its length stays within some per cent of its skeleton's.

@@ -256,6 +256,7 @@ CURVE_FUNCTION BraidGirth braidGirth(BraidedHair hair, Lacing lacing, Num q)
     Num opened = least(over(girth.tuft, kTuftOpens), Num(1.0F));
     opened = opened * opened * (3.0F - opened * 2.0F); // Smooth, since a hair has no corner.
     Num narrowed = most(over(girth.tuft - kTuftOpens, 1.0F - kTuftOpens), Num(0.0F));
+    narrowed = narrowed * narrowed * (2.0F - narrowed);
     girth.pathM = r * mixed(Num(1.0F), Num(kTieBraidFraction), tied) * (1.0F - opened);
     // A single wisp made of all; where wisps are finer than a plait's of three, it is as thick as one of those.
     Num whole = most(lacing.wisp, lacing.pathX * kWispRadiusFraction);

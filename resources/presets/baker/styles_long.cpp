@@ -96,6 +96,7 @@ Style twoPlaits()
                     user.setLayerOpacity(MapKind::Density, 0.7F);
                     user.fill(MapKind::Colour, colour(0xFF6A4C2E));
                     user.fill(MapKind::Length, user.length(0.28F));
+                    user.fill(MapKind::Frizz, scalar(0.1F));
                     // A side is a region; the parting between them stays free.
                     user.polygon(MapKind::Braid, entry(kPlait), aroundLeft(user, 0.0F));
                     outToHairline(user, MapKind::Braid, entry(kPlait));
@@ -103,8 +104,8 @@ Style twoPlaits()
                     shaveMiddle(user, 0.0048F);
                     // The plaits leave the head forward, to hang before the shoulders of any body.
                     constexpr std::array<Recording::Seen, 5> kForward{
-                        {{112.0F, 0.075F}, {102.0F, 0.06F}, {92.0F, 0.045F}, {83.0F, 0.028F}, {76.0F, 0.008F}}};
-                    user.comb(0.95F, {.sizeM = 0.05F, .hardness = 0.6F}, user.along(kForward));
+                        {{112.0F, 0.075F}, {102.0F, 0.062F}, {92.0F, 0.052F}, {82.0F, 0.042F}, {72.0F, 0.03F}}};
+                    user.comb(0.95F, {.sizeM = 0.045F, .hardness = 0.6F}, user.along(kForward));
                 }};
     style.settings.braidSpacingM = 0.6F;
     style.settings.braidRadiusM = 0.0105F;
