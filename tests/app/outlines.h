@@ -41,9 +41,9 @@ public:
     }
     [[nodiscard]] static glm::vec2 middleOf(std::size_t square)
     {
-        const auto column = static_cast<float>(square % kColumns);
-        const auto row = static_cast<float>(square / kColumns);
-        return kSquareM * glm::vec2(column - 0.5F * kColumns + 0.5F, row - 0.5F * kRows + 0.5F);
+        const std::size_t column = square % kColumns;
+        const std::size_t row = square / kColumns;
+        return kSquareM * (glm::vec2(column, row) - 0.5F * glm::vec2(kColumns - 1, kRows - 1));
     }
     [[nodiscard]] bool covers(std::size_t square) const { return m_isCovered[square]; }
     [[nodiscard]] bool covers(glm::vec2 p) const
