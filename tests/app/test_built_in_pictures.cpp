@@ -2,11 +2,10 @@
 #include "app/headless/picture.h"
 #include "app/styles/style_pictures.h"
 #include "model/files/preset_file.h"
+#include "tests/app/picture_difference.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
-
-#include <cstdlib>
 
 using namespace hairpaint;
 
@@ -14,19 +13,6 @@ namespace {
 
 /// Limit on the mean difference over all pixels and channels, of 255: as of golden pictures.
 constexpr double kMostMeanDifference = 2.0;
-
-double meanDifferenceOf(const QImage& a, const QImage& b)
-{
-    double sum = 0.0;
-    for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x) {
-            const QColor here = a.pixelColor(x, y);
-            const QColor there = b.pixelColor(x, y);
-            sum += std::abs(here.red() - there.red()) + std::abs(here.green() - there.green()) +
-                   std::abs(here.blue() - there.blue());
-        }
-    return sum / (3.0 * a.width() * a.height());
-}
 
 } // namespace
 
@@ -50,7 +36,7 @@ private Q_SLOTS:
         QVERIFY(preset.has_value());
         const QImage now = app::stylePicture(*preset, m_maker);
         QCOMPARE(now.size(), preset->picture.size());
-        const double found = meanDifferenceOf(now, preset->picture);
+        const double found = test::meanDifference(now, preset->picture);
         QVERIFY2(found < kMostMeanDifference, qPrintable(QString::number(found)));
     }
 };

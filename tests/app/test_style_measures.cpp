@@ -26,10 +26,7 @@ constexpr double kSettledSeconds = 2.0;
 /// "new": the head of a new project. Else the bust of former versions.
 std::shared_ptr<const model::Head> headNamed(const QString& name)
 {
-    if (name == QLatin1StringView("new"))
-        return model::defaultHead();
-    static const std::shared_ptr<const model::Head> other = *model::builtInHead(QStringLiteral("bust-1"));
-    return other;
+    return name == QLatin1StringView("new") ? model::defaultHead() : *model::builtInHead(QStringLiteral("bust-1"));
 }
 
 std::optional<model::Project> projectOn(const QString& head, const QString& style)

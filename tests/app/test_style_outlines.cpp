@@ -40,16 +40,11 @@ WornHead builtIn(const QString& name)
 /// As an import makes it.
 WornHead imported(const sim::HeadMesh& mesh)
 {
-    model::RiggedMesh source;
-    source.positionsHd = mesh.positionsHd;
-    source.normalsHd = mesh.normalsHd;
-    source.uvs = mesh.uvs;
-    source.triangles = mesh.triangles;
-    const auto made = app::remakeHead(QStringLiteral("foreign"), model::glbFromMesh(source), {});
+    const auto made = app::remakeHead(QStringLiteral("foreign"), model::glbFromMesh({mesh}), {});
     return made ? WornHead{.head = made->head, .ellipsoids = made->ellipsoids} : WornHead();
 }
 
-WornHead makeHead(const QString& name)
+WornHead newHead(const QString& name)
 {
     const sim::HeadMesh& bust = model::defaultHead()->skin->mesh();
     if (name == QLatin1StringView("own"))
@@ -77,7 +72,7 @@ const WornHead& wornHead(const QString& name)
 {
     static std::map<QString, WornHead> heads;
     const auto found = heads.find(name);
-    return found != heads.end() ? found->second : heads.emplace(name, makeHead(name)).first->second;
+    return found != heads.end() ? found->second : heads.emplace(name, newHead(name)).first->second;
 }
 
 /// Height against the ears down to which an outline tells of the style: on a head without shoulders hair hangs

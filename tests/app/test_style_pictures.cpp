@@ -4,6 +4,7 @@
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 #include "model/project/worn.h"
+#include "tests/app/picture_difference.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/file_faults.h"
 #include "tests/support/test_program.h"
@@ -11,7 +12,6 @@
 #include <QDir>
 #include <QSignalSpy>
 
-#include <cstdlib>
 #include <optional>
 
 #ifdef Q_OS_LINUX
@@ -26,16 +26,6 @@ QByteArray bytesOf(const QString& path)
 {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-/// Mean absolute difference of the pixels' grey values, 0..255.
-double meanDifference(const QImage& a, const QImage& b)
-{
-    double sum = 0.0;
-    for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x)
-            sum += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y)));
-    return sum / (static_cast<double>(a.width()) * a.height());
 }
 
 QImage plain(QColor colour)
@@ -91,8 +81,8 @@ private Q_SLOTS:
         };
         const QImage without = pictureWithTie(glm::vec3(0.0F));
         QVERIFY(!without.isNull());
-        QVERIFY(meanDifference(pictureWithTie({0.0F, 0.1F, 0.2F}), without) < 1.0);
-        QVERIFY(meanDifference(pictureWithTie({0.0F, 0.0F, -0.2F}), without) > 3.0);
+        QVERIFY(test::meanDifference(pictureWithTie({0.0F, 0.1F, 0.2F}), without) < 1.0);
+        QVERIFY(test::meanDifference(pictureWithTie({0.0F, 0.0F, -0.2F}), without) > 3.0);
     }
 
     void aPictureIsDrawnOnceForWhatAFileHolds()
