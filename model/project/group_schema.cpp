@@ -335,7 +335,7 @@ void makeNatural(GroupSettings& settings)
     settings.physics.volumeRiseM = 0.05F;
     settings.physics.body = 0.5F;
     settings.physics.loft = 0.8F;
-    settings.material.scalpTint = 0.8F;
+    settings.material.scalpTint = 0.9F;
     settings.material.sectionAxes = 1.3F;
     settings.material.taperM = 0.012F; // Cut hair ends: it thins out over its last centimetre alone.
 }

@@ -56,6 +56,12 @@ float fallFraction(float lengthM)
     return t * t * (3.0F - 2.0F * t);
 }
 
+float uncombed(DirectionVector painted, DirectionVector natural)
+{
+    constexpr float kCombed = 0.03F;
+    return std::max(1.0F - glm::length(painted - natural) / kCombed, 0.0F);
+}
+
 GrowthDirections growthDirections(DirectionVector painted, const DirectionVector* natural, glm::vec3 positionHd,
                                   const SkinFrame& frame)
 {
@@ -63,14 +69,12 @@ GrowthDirections growthDirections(DirectionVector painted, const DirectionVector
     GrowthDirections directions{.grownHd = grown, .fallenHd = grown};
     if (natural == nullptr)
         return directions;
-    // Where the map shows something else than the stream, somebody has combed.
-    constexpr float kCombed = 0.03F;
-    const float uncombed = 1.0F - glm::length(painted - *natural) / kCombed;
-    if (uncombed <= 0.0F)
+    const float own = uncombed(painted, *natural);
+    if (own <= 0.0F)
         return directions;
     const glm::vec3 falls = fallDirection(positionHd, frame.normal);
-    directions.grownHd = atLeast(kLeastFlatness * uncombed, grown, falls);
-    directions.fallenHd += (falls - grown) * uncombed;
+    directions.grownHd = atLeast(kLeastFlatness * own, grown, falls);
+    directions.fallenHd += (falls - grown) * own;
     return directions;
 }
 

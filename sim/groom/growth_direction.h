@@ -22,6 +22,9 @@ struct GrowthDirections
 /// How far hair of a length lies as it falls rather than as it grows, 0..1.
 [[nodiscard]] float fallFraction(float lengthM);
 
+/// Whether somebody has combed there, 1 where nobody has to 0: whether the map shows something else than the stream.
+[[nodiscard]] float uncombed(DirectionVector painted, DirectionVector natural);
+
 /// The directions at a point of the skin, from the map's vector and the head's natural stream (null where there is
 /// none).
 [[nodiscard]] GrowthDirections growthDirections(DirectionVector painted, const DirectionVector* natural,

@@ -1,9 +1,11 @@
 // The hairs' constants into lanes.
 #include "sim/groom/lay.h"
 
+#include "sim/base/deterministic.h"
 #include "sim/groom/curve_constants.h"
 #include "sim/groom/rest_shape.h"
 #include "sim/groom/variation.h"
+#include "sim/skin/natural_stream.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +29,30 @@ float coatRise(float setM, float topM, float lengthM)
     if (setM <= 0.0F)
         return 0.0F;
     return std::min(std::max(setM, std::sqrt(2.0F * kHeadRadiusM * topM)), kRisesWithin * lengthM);
+}
+
+/// The part of short curled hairs that fall over the middle of a whorl, by how steep the hair there grows: none from
+/// some 2 cm off it on, and none where somebody combed.
+float partOverWhorl(DirectionVector painted, DirectionVector natural)
+{
+    constexpr float kMost = 0.6F;
+    constexpr float kSteep = 0.35F; ///< Flatness at which so many do,
+    constexpr float kFlat = 0.65F;  ///< and at which none do.
+    const float steep = (kFlat - glm::length(natural)) / (kFlat - kSteep);
+    return steep > 0.0F ? kMost * std::min(steep, 1.0F) * uncombed(painted, natural) : 0.0F;
+}
+
+/// `growth`, for `part` of the hairs turned to the middle of the whorl: all would leave it, and bare it.
+glm::vec3 overWhorl(float part, const LayRoot& root, glm::vec3 growth)
+{
+    constexpr float kSpreadRad = 0.6F;
+    constexpr float kOwn = 71.3F;
+    const float chance = root.chance * kOwn - std::floor(root.chance * kOwn);
+    if (chance >= part)
+        return growth;
+    // The stream does not come straight from there.
+    const float angle = kSwirlRad + kSpreadRad * (2.0F * chance / part - 1.0F);
+    return growth * -cosDet(angle) - glm::cross(root.frame.normal, growth) * sinDet(angle);
 }
 
 } // namespace
@@ -55,7 +81,11 @@ bool Lay::add(const LayRoot& root, float lengthM)
         growthDirections(painted, m_inputs.natural != nullptr ? &natural : nullptr, root.positionHd, root.frame)
             .of(falls);
     const bool strays = m_inputs.field != nullptr && root.strayHd != glm::vec3(0.0F);
-    const glm::vec3 growth = strays ? strayed(root, falls, own) : own;
+    const float over = strays && root.liftM > 0.0F && m_inputs.natural != nullptr
+                           ? partOverWhorl(painted, natural) * (1.0F - falls)
+                           : 0.0F;
+    const glm::vec3 turned = overWhorl(over, root, own);
+    const glm::vec3 growth = strays && turned == own ? strayed(root, falls, own) : turned;
     const float square = std::min(glm::dot(growth, growth), 1.0F);
     const glm::vec3 direction = growth + root.frame.normal * std::sqrt(1.0F - square);
     constexpr float kShortestPartedM = 0.02F; ///< Shorter hair shows its skin anyway,

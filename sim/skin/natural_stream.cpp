@@ -19,7 +19,6 @@ namespace {
 
 constexpr float kGrownHeadM = 0.25F;  ///< Length from crown to chin of the head that the lengths here are for.
 constexpr double kHeatReachM = 0.04;  ///< Square root of the time over which heat spreads (Crane et al. 2013).
-constexpr float kSwirlRad = 1.1F;     ///< Angle by which the stream turns about the whorl, at its middle.
 constexpr float kSwirlReachM = 0.03F; ///< Distance from the whorl at which that is about gone.
 constexpr int kSmoothings = 4;
 constexpr std::size_t kMostHeated = 60'000; ///< Number of vertices above which a coarser mesh is heated.

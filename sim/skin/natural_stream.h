@@ -10,6 +10,9 @@
 
 namespace hairpaint::sim {
 
+/// Angle by which the stream turns about the whorl, at its middle, rad.
+inline constexpr float kSwirlRad = 1.1F;
+
 /// Each vertex's direction of growth projected on its tangent plane, as long as the cosine of its angle to the skin.
 /// Hair streams away from one whorl, a little behind and to the right of the crown, where it stands upright and turns
 /// clockwise: forward over the top, down the sides, the face and the nape; ever flatter. Followed over the surface as

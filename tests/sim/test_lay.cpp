@@ -41,6 +41,7 @@ public:
         glm::vec3 strayHd{0.0F};
         float coatRiseM = 0.0F;
         std::vector<std::int32_t>* passed = nullptr;
+        float liftM = 0.0F;
     };
     [[nodiscard]] Nodes lay(glm::vec3 at, float lengthM, float chance = 0.5F) const
     {
@@ -59,7 +60,8 @@ public:
                        .frame = SkinFrame::at(point),
                        .uv = point.uv,
                        .chance = chance,
-                       .strayHd = more.strayHd},
+                       .strayHd = more.strayHd,
+                       .liftM = more.liftM},
                       lengthM);
         lay.lay();
         if (more.passed != nullptr)
@@ -114,6 +116,7 @@ private Q_SLOTS:
     void fieldsThatStandHoldNothing();
     void longHairFallsToItsSideWhereNobodyCombed();
     void hairThatStraysAcrossAPartingLiesToItsOtherSide();
+    void curlsFallOverTheMiddleOfAWhorl();
     void aPartingBaresAsMuchAsIsSet();
     void theCoatRisesFromTheRoots();
 };
@@ -241,6 +244,36 @@ void TestLay::hairThatStraysAcrossAPartingLiesToItsOtherSide()
     QVERIFY(ball.cellAt(rootHd + strayHd) != SkinBand::kNone);
     // Where hairs around lie as it does it keeps every bit.
     QCOMPARE(ball.lay(kSide, 0.25F, 0.5F, {.strayHd = strayHd}), ball.lay(kSide, 0.25F));
+}
+
+void TestLay::curlsFallOverTheMiddleOfAWhorl()
+{
+    const LaidBall ball({0.0F, 0.0F}, 0.004F, true);
+    constexpr int kHairs = 400;
+    // How many of those that grow so far from it come over it.
+    const auto over = [&ball](float fromM, float lengthM, float liftM) {
+        int over = 0;
+        for (int i = 0; i < kHairs; ++i) {
+            const float angle = 0.7F * static_cast<float>(i);
+            const float chance = (static_cast<float>(i) + 0.5F) / kHairs;
+            const Nodes nodes = ball.lay({fromM * std::cos(angle), kBallM, fromM * std::sin(angle)}, lengthM, chance,
+                                         {.strayHd = glm::vec3(1e-4F, 0.0F, 0.0F), .liftM = liftM});
+            float nearestM = fromM;
+            for (std::size_t k = 1; k < kNodes; ++k) {
+                const glm::vec2 from(nodes[k - 1].x, nodes[k - 1].z);
+                const glm::vec2 along = glm::vec2(nodes[k].x, nodes[k].z) - from;
+                const float t = std::clamp(-glm::dot(from, along) / glm::dot(along, along), 0.0F, 1.0F);
+                nearestM = std::min(nearestM, glm::length(from + along * t));
+            }
+            over += nearestM < 0.5F * fromM ? 1 : 0;
+        }
+        return over;
+    };
+    QCOMPARE(over(0.004F, 0.04F, 0.0F), 0); // A straight whorl shows how it turns.
+    const int curled = over(0.004F, 0.04F, 0.006F);
+    QVERIFY2(curled > kHairs / 5 && curled < kHairs * 2 / 3, qPrintable(QString::number(curled)));
+    QCOMPARE(over(0.030F, 0.04F, 0.006F), 0);
+    QCOMPARE(over(0.004F, 0.25F, 0.006F), over(0.004F, 0.25F, 0.0F)); // Long hair falls.
 }
 
 void TestLay::aPartingBaresAsMuchAsIsSet()
