@@ -40,11 +40,12 @@ set(hairpaint_label_rows
     "app\\.(lie|skin_contact|style_measures|style_outlines)" "hair"
     "app\\.(built_in_pictures|drawn_pictures|kept_pictures|style_pictures)" "gpu"
     "app\\.monkey" "window memory"
-    "app\\.(broken_files|ended_window|error_sentences|killed_window|long_work|odd_clock|recovery|recovery_trouble|repair_damage)" "fault"
+    "app\\.(broken_files|ended_window|error_sentences|killed_window|long_work|odd_clock|recovery_trouble|repair_damage)" "fault"
     "app\\.(open_file|silent_disk|silent_exchange)" "window"
-    # The memory of `new` is command_line's and broken_files' to watch: they make projects with its options, and fail to.
-    "app\\.(avatar_command|characters|command_line|export_command|render_command)" "program memory"
-    "app\\.(bounds|drawn_images|installed|new_command|odd_names|unwritable_paths)" "program"
+    # The memory of `new` is command_line's and broken_files' to watch: they make projects with its options, and fail to;
+    # that of the exports is model's, whose writers they call, and that of recovered work recovery_trouble's.
+    "app\\.(characters|command_line|render_command)" "program memory"
+    "app\\.(avatar_command|bounds|drawn_images|export_command|installed|new_command|odd_names|unwritable_paths)" "program"
     "app\\..*" "window"
 )
 
