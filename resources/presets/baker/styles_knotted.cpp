@@ -74,6 +74,8 @@ Style bantuKnots()
                     for (const Recording::Points& line : partings(user)) {
                         user.erase(MapKind::Accessory, {.sizeM = 0.003F, .hardness = 1.0F}, line);
                         user.erase(MapKind::Density, {.sizeM = 0.0046F, .hardness = 1.0F}, line);
+                        // What still grows there is in no knot.
+                        user.brush(MapKind::Length, user.length(0.01F), {.sizeM = 0.006F, .hardness = 1.0F}, line);
                     }
                     shaveDownTheBack(user);
                     for (const sim::SurfacePoint& point : knots(user)) {
@@ -96,7 +98,7 @@ Style bantuKnots()
     style.settings.variation.length = style.settings.variation.mostShorterM = 0.0F; // No end sticks out of a knot.
     style.settings.nodesPerHair = 24;
     style.settings.material.shine = 0.35F;
-    style.settings.material.scalpTint = 0.65F; // Partings stay bare.
+    style.settings.material.scalpTint = 0.45F; // Partings stay bare.
     return style;
 }
 

@@ -129,11 +129,11 @@ Style splitDye()
                     user.fill(MapKind::Curl, scalar(1.0F));
                     user.fill(MapKind::Clump, scalar(0.3F));
                     // A clean parting, so that neither colour strays into the other; no lock has hair of both sides.
-                    Recording::Points middle = user.overHead(0.0F, 0.065F, -0.085F);
+                    Recording::Points middle = user.overHead(0.0F, 0.074F, -0.085F);
                     for (const float heightM : {0.05F, 0.02F})
                         middle.push_back(user.around(180.0F, heightM));
                     user.brush(MapKind::Clump, scalar(0.0F), {.sizeM = 0.03F, .hardness = 0.4F}, middle);
-                    user.part({.flatness = 0.93F, .gapM = 0.0015F}, middle);
+                    user.part({.flatness = 0.93F, .gapM = 0.002F}, middle);
                 }};
     model::setHairType(style.settings, model::hairType("2C"));
     style.settings.curl.gather = 0.4F;
