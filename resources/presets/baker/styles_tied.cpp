@@ -174,6 +174,7 @@ Style twinTails()
                     user.setLayerOpacity(MapKind::Density, 0.85F);
                     user.fill(MapKind::Colour, colour(0xFF8A6038));
                     user.fill(MapKind::Length, user.length(0.38F));
+                    user.fill(MapKind::Curl, scalar(1.0F));
                     user.fill(MapKind::Clump, scalar(0.35F));
                     user.polygon(MapKind::Accessory, entry(kPonytail), aroundLeft(user, 0.0F));
                     outToHairline(user, MapKind::Accessory, entry(kPonytail));
@@ -185,6 +186,7 @@ Style twinTails()
                         user.gather(WornKind::Ponytail, user.around(degrees, 0.056F));
                     setTies(user, WornKind::Ponytail, 0xFFC23A5A, 0.013F);
                 }};
+    waveSlightly(style.settings, 0.24F);
     return style;
 }
 
@@ -224,6 +226,7 @@ Style fishtail()
                     user.setLayerOpacity(MapKind::Density, 0.8F);
                     user.fill(MapKind::Colour, colour(0xFF6E3E22));
                     user.fill(MapKind::Length, user.length(0.46F));
+                    user.fill(MapKind::Frizz, scalar(0.1F));
                     cutSideburns(user);
                     user.fill(MapKind::Braid, entry(kFishtail));
                     // Over the shoulder.

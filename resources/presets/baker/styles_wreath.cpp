@@ -119,6 +119,7 @@ Style crownBraid()
             user.fill(MapKind::Colour, colour(0xFF8A6A44));
             user.fill(MapKind::Length, user.length(0.04F));
             user.fill(MapKind::Gel, scalar(0.9F));
+            user.fill(MapKind::Frizz, scalar(0.1F));
             combToWreath(user);
             user.setMirror(false);
             user.brush(MapKind::Braid, entry(kCornrow), {.sizeM = 0.046F, .hardness = 1.0F}, wreath(user));
