@@ -2,10 +2,11 @@
 // iterations. body_step/body_percent:B/threads:T: one step of the 4096 basis hairs, of 8 nodes, that stand for 100,000,
 // with skin and wind; B 0 is without body. body_share/threads:T: the same without and with half of body by turns, so
 // that whatever else the machine does slows down both; share_percent is what body adds.
-// dependents/hairs:H/nodes:N/threads:T/skin:S: one frame of H hairs around 4096 basis hairs. With skin:1 they are kept
-// out of the skin, too.
+// dependents/hairs:H/nodes:N/threads:T/skin:S/curled:C: one frame of H hairs around 4096 basis hairs. With skin:1 they
+// are kept out of the skin, too; with curled:1 they are coils of 3A, else straight.
 #include "bench_scene.h"
 
+#include "model/project/hair_types.h"
 #include "sim/base/parallel.h"
 #include "sim/motion/simulation.h"
 #include "sim/solver/body_kernel.h"
@@ -111,9 +112,13 @@ void dependents(benchmark::State& state)
 {
     sim::setThreadCount(static_cast<int>(state.range(2)));
     sim::Simulation simulation;
-    simulation.setInput(
-        withSkin(bench::sceneOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), false),
-                 state.range(3) != 0));
+    const bool curled = state.range(4) != 0;
+    sim::GroomInput input = bench::sceneOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), false);
+    sim::GroomInput::Group& group = input.groups.front();
+    group.maps[sim::MapSlot::Curl] = std::make_shared<const sim::TiledRaster>(
+        group.maps[sim::MapSlot::Curl]->size(), 1, sim::Texel{static_cast<std::uint16_t>(curled ? 65535 : 0)});
+    model::setHairType(group.settings, model::hairType(curled ? "3A" : "1A"));
+    simulation.setInput(withSkin(std::move(input), state.range(3) != 0));
     simulation.setWind(kBreeze);
     simulation.settle(0.5);
     sim::StrandFrame frame;
@@ -149,8 +154,8 @@ BENCHMARK(bodyShare)
     ->UseRealTime();
 BENCHMARK(dependents)
     ->Name("dependents")
-    ->ArgNames({"hairs", "nodes", "threads", "skin"})
-    ->ArgsProduct({{100000}, {8}, {1, 2}, {0, 1}})
+    ->ArgNames({"hairs", "nodes", "threads", "skin", "curled"})
+    ->ArgsProduct({{100000}, {8}, {1, 2}, {0, 1}, {0, 1}})
     ->Unit(benchmark::kMicrosecond)
     ->UseRealTime();
 
