@@ -31,15 +31,18 @@ float coatRise(float setM, float topM, float lengthM)
     return std::min(std::max(setM, std::sqrt(2.0F * kHeadRadiusM * topM)), kRisesWithin * lengthM);
 }
 
-/// The part of short curled hairs that fall over the middle of a whorl, by how steep the hair there grows: none from
-/// some 2 cm off it on, and none where somebody combed.
-float partOverWhorl(DirectionVector painted, DirectionVector natural)
+/// The part of curled hairs at a root that fall over the middle of a whorl, by how steep hair grows there: none from
+/// some 2 cm off it on, nor where somebody combed, nor past the chin, where hair grows steeply, too.
+float partOverWhorl(const LayRoot& root, DirectionVector painted, DirectionVector natural)
 {
     constexpr float kMost = 0.6F;
-    constexpr float kSteep = 0.35F; ///< Flatness at which so many do,
-    constexpr float kFlat = 0.65F;  ///< and at which none do.
+    constexpr float kSteep = 0.35F;   ///< Flatness at which so many do,
+    constexpr float kFlat = 0.65F;    ///< and at which none do.
+    constexpr float kUpwards = 0.25F; ///< Least height of the skin's normal.
     const float steep = (kFlat - glm::length(natural)) / (kFlat - kSteep);
-    return steep > 0.0F ? kMost * std::min(steep, 1.0F) * uncombed(painted, natural) : 0.0F;
+    if (root.liftM <= 0.0F || steep <= 0.0F || root.frame.normal.y < kUpwards)
+        return 0.0F;
+    return kMost * std::min(steep, 1.0F) * uncombed(painted, natural);
 }
 
 /// `growth`, for `part` of the hairs turned to the middle of the whorl: all would leave it, and bare it.
@@ -81,9 +84,8 @@ bool Lay::add(const LayRoot& root, float lengthM)
         growthDirections(painted, m_inputs.natural != nullptr ? &natural : nullptr, root.positionHd, root.frame)
             .of(falls);
     const bool strays = m_inputs.field != nullptr && root.strayHd != glm::vec3(0.0F);
-    const float over = strays && root.liftM > 0.0F && m_inputs.natural != nullptr
-                           ? partOverWhorl(painted, natural) * (1.0F - falls)
-                           : 0.0F;
+    const float over =
+        strays && m_inputs.natural != nullptr ? partOverWhorl(root, painted, natural) * (1.0F - falls) : 0.0F;
     const glm::vec3 turned = overWhorl(over, root, own);
     const glm::vec3 growth = strays && turned == own ? strayed(root, falls, own) : turned;
     const float square = std::min(glm::dot(growth, growth), 1.0F);

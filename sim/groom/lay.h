@@ -21,7 +21,7 @@ struct LayRoot
     glm::vec2 uv{0.0F};
     float chance = 0.5F; ///< 0..1, the hair's own: its height in the coat.
     /// Offset from the root to the point whose direction it takes, see strayOf(); 0 for hair that may not cross a
-    /// parting.
+    /// parting or a whorl.
     glm::vec3 strayHd{0.0F};
     float liftM = 0.0F; ///< Height added to that in the coat: the room below a coil's middle.
 };

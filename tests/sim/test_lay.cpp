@@ -25,8 +25,8 @@ using Nodes = std::array<glm::vec3, kNodes>;
 class LaidBall
 {
 public:
-    explicit LaidBall(DirectionVector direction, float coatM = 0.004F, bool stream = false)
-        : m_skin(makeBallHead(96, kBallM)), m_band(std::make_shared<SkinBand>(m_skin)),
+    explicit LaidBall(DirectionVector direction, float coatM = 0.004F, bool stream = false, float radiusM = kBallM)
+        : m_radiusM(radiusM), m_skin(makeBallHead(96, radiusM)), m_band(std::make_shared<SkinBand>(m_skin)),
           m_natural(stream ? streamRaster(m_skin, naturalStream(m_skin, std::nullopt)) : nullptr),
           m_map(stream ? m_natural : std::make_shared<const TiledRaster>(256, 2, texelOfDirection(direction))),
           m_field(m_band, m_natural, m_map), m_sampler(m_map), m_coatM(coatM)
@@ -49,7 +49,7 @@ public:
     }
     [[nodiscard]] Nodes lay(glm::vec3 at, float lengthM, float chance, const More& more) const
     {
-        const SurfacePoint point = m_skin.nearest(kBallM * glm::normalize(at));
+        const SurfacePoint point = m_skin.nearest(m_radiusM * glm::normalize(at));
         Lay lay({.direction = m_sampler,
                  .natural = m_naturalSampler ? &*m_naturalSampler : nullptr,
                  .field = &m_field,
@@ -73,7 +73,7 @@ public:
     /// Whether a hair grows there beside a parting that bares so much.
     [[nodiscard]] bool grows(glm::vec3 at, float lengthM, float partGapM) const
     {
-        const SurfacePoint point = m_skin.nearest(kBallM * glm::normalize(at));
+        const SurfacePoint point = m_skin.nearest(m_radiusM * glm::normalize(at));
         Lay lay({.direction = m_sampler,
                  .natural = m_naturalSampler ? &*m_naturalSampler : nullptr,
                  .field = &m_field,
@@ -84,10 +84,11 @@ public:
     [[nodiscard]] std::int32_t cellAt(glm::vec3 hd) const { return m_band->cellAt(hd); }
     [[nodiscard]] SkinFrame frameAt(glm::vec3 at) const
     {
-        return SkinFrame::at(m_skin.nearest(kBallM * glm::normalize(at)));
+        return SkinFrame::at(m_skin.nearest(m_radiusM * glm::normalize(at)));
     }
 
 private:
+    float m_radiusM;
     Skin m_skin;
     std::shared_ptr<const SkinBand> m_band;
     MapRaster m_natural;
@@ -252,7 +253,7 @@ void TestLay::curlsFallOverTheMiddleOfAWhorl()
     constexpr int kHairs = 400;
     // How many of those that grow so far from it come over it.
     const auto over = [&ball](float fromM, float lengthM, float liftM) {
-        int over = 0;
+        int count = 0;
         for (int i = 0; i < kHairs; ++i) {
             const float angle = 0.7F * static_cast<float>(i);
             const float chance = (static_cast<float>(i) + 0.5F) / kHairs;
@@ -265,15 +266,29 @@ void TestLay::curlsFallOverTheMiddleOfAWhorl()
                 const float t = std::clamp(-glm::dot(from, along) / glm::dot(along, along), 0.0F, 1.0F);
                 nearestM = std::min(nearestM, glm::length(from + along * t));
             }
-            over += nearestM < 0.5F * fromM ? 1 : 0;
+            count += nearestM < 0.5F * fromM ? 1 : 0;
         }
-        return over;
+        return count;
     };
     QCOMPARE(over(0.004F, 0.04F, 0.0F), 0); // A straight whorl shows how it turns.
     const int curled = over(0.004F, 0.04F, 0.006F);
     QVERIFY2(curled > kHairs / 5 && curled < kHairs * 2 / 3, qPrintable(QString::number(curled)));
     QCOMPARE(over(0.030F, 0.04F, 0.006F), 0);
     QCOMPARE(over(0.004F, 0.25F, 0.006F), over(0.004F, 0.25F, 0.0F)); // Long hair falls.
+
+    // Past a chin hair grows as steeply, and goes its way.
+    const LaidBall tall({0.0F, 0.0F}, 0.004F, true, 0.15F);
+    for (int i = 0; i < kHairs; ++i) {
+        const float angle = 0.7F * static_cast<float>(i);
+        const glm::vec3 at(0.4F * std::cos(angle), -0.9F, 0.4F * std::sin(angle));
+        const auto firstOf = [&](float liftM) {
+            const Nodes nodes = tall.lay(at, 0.03F, (static_cast<float>(i) + 0.5F) / kHairs,
+                                         {.strayHd = glm::vec3(1e-4F, 0.0F, 0.0F), .liftM = liftM});
+            const glm::vec3 normal = glm::normalize(nodes[0]);
+            return nodes[1] - normal * glm::dot(nodes[1], normal);
+        };
+        QVERIFY(glm::dot(firstOf(0.006F), firstOf(0.0F)) > 0.0F); // Along the skin.
+    }
 }
 
 void TestLay::aPartingBaresAsMuchAsIsSet()
